@@ -1,0 +1,23 @@
+use nalgebra::Vector3;
+
+use super::Load;
+use crate::body::{PrincipalMoments, State};
+
+/// An initial value problem: a body, its state at t = 0, and what acts on it. All in principal axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// About the reference point, kg m².
+    pub moments: PrincipalMoments,
+    /// kg; present where a translation is propagated.
+    pub mass: Option<f64>,
+    /// At t = 0.
+    pub initial: State,
+    /// Everything that acts, in the order given.
+    pub loads: Vec<Load>,
+    /// Uniform acceleration of the reference point, world axes, m/s² (no moment about a centre of mass).
+    pub gravity: Vector3<f64>,
+    /// Whether the attitude is asked for; it is propagated all the same where a load needs it.
+    pub wants_attitude: bool,
+    /// Whether position and velocity are asked for.
+    pub wants_translation: bool,
+}

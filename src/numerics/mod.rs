@@ -1,0 +1,1 @@
+//! Mathematics without bodies in it: elliptic functions, rotation maps, double-double, series.
