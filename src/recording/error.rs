@@ -1,0 +1,63 @@
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+/// A recording that cannot be written or read.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RecordingError {
+    /// The operating system refused.
+    #[error("cannot {attempt} {path}: {source}", path = path.display())]
+    Io {
+        /// What was attempted, as a verb: `create`, `write`, `sync`, `rename`, `read`.
+        attempt: &'static str,
+        /// On which file.
+        path: PathBuf,
+        /// Why not.
+        source: std::io::Error,
+    },
+    /// The file is there already.
+    #[error("{path} exists already: --force overwrites it", path = path.display())]
+    Exists {
+        /// Which file.
+        path: PathBuf,
+    },
+    /// A library for the format refused to encode.
+    #[error("cannot encode {path}: {reason}", path = path.display())]
+    Encode {
+        /// Which file.
+        path: PathBuf,
+        /// What the library said.
+        reason: String,
+    },
+    /// A file that is not what its name says, or is damaged.
+    #[error("cannot read {path}: {reason}", path = path.display())]
+    Decode {
+        /// Which file.
+        path: PathBuf,
+        /// What is wrong with it, and where.
+        reason: String,
+    },
+    /// An extension that stands for no format.
+    #[error("{path}: a recording ends in .mcap, .rrd or .csv", path = path.display())]
+    UnknownFormat {
+        /// Which file.
+        path: PathBuf,
+    },
+    /// A format that this build leaves out.
+    #[error("{path}: this build has no {feature} (cargo feature `{feature}`)", path = path.display())]
+    FormatAbsent {
+        /// Which file.
+        path: PathBuf,
+        /// The feature that brings it.
+        feature: &'static str,
+    },
+    /// Something the format cannot hold.
+    #[error("{path}: {rule}", path = path.display())]
+    NotRepresentable {
+        /// Which file.
+        path: PathBuf,
+        /// The value met and the rule.
+        rule: String,
+    },
+}

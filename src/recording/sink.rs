@@ -1,0 +1,18 @@
+use super::{PartFile, RecordingError};
+use crate::telemetry::Samples;
+
+/// A place that keeps samples.
+pub trait Sink {
+    /// Keeps one batch.
+    ///
+    /// # Errors
+    /// If it cannot; the sink is then of no further use, what was kept before stays readable.
+    fn write(&mut self, samples: &Samples) -> Result<(), RecordingError>;
+
+    /// Completes the recording and hands back its file, still under its `.part` name: the [`Recorder`](super::Recorder)
+    /// publishes the files of a run once all of them are complete.
+    ///
+    /// # Errors
+    /// If it cannot; the part file then stays, readable as far as it goes.
+    fn finish(self: Box<Self>) -> Result<PartFile, RecordingError>;
+}

@@ -1,0 +1,96 @@
+use super::{CheckPlan, Grid, Provenance};
+use crate::body::{MassProperties, Surface};
+use crate::dynamics::Problem;
+use crate::telemetry::Channel;
+
+/// What will be done: every value checked, in SI units and principal axes, the path of each body chosen.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// Name of the scene, and of its recordings.
+    pub name: String,
+    /// One line: what this is.
+    pub title: String,
+    /// What to see in it.
+    pub summary: String,
+    /// The scene as text, overrides applied; recordings carry it, and its hash identifies them.
+    pub text: String,
+    /// Where the numbers come from.
+    pub provenance: Provenance,
+    /// When samples are taken.
+    pub grid: Grid,
+    /// The bodies.
+    pub bodies: Vec<PlannedBody>,
+    /// What the motion must show.
+    pub checks: Vec<CheckPlan>,
+    /// Loads that begin or end within the run, in order of time.
+    pub events: Vec<Event>,
+}
+
+/// One body of a plan.
+#[derive(Debug, Clone)]
+pub struct PlannedBody {
+    /// Its name, fit for topics and entity paths.
+    pub name: String,
+    /// Mass, moments, principal axes.
+    pub properties: MassProperties,
+    /// What it looks like: body axes, from its reference point.
+    pub surfaces: Vec<Surface>,
+    /// What is to be propagated, in principal axes.
+    pub problem: Problem,
+    /// By which method.
+    pub path: Path,
+    /// Why by that one.
+    pub reason: String,
+    /// What is recorded, in the order of [`Channel::ALL`].
+    pub channels: Vec<Channel>,
+    /// What is not done, and why not.
+    pub skipped: Vec<String>,
+    /// Whether a point of it is held fixed.
+    pub is_pivoted: bool,
+}
+
+/// Which propagator a body takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path {
+    /// The torque-free closed form: no steps.
+    ClosedForm,
+    /// Taylor series.
+    Taylor {
+        /// Per step, rad.
+        tolerance: f64,
+    },
+    /// The classical Runge–Kutta method.
+    Rk4 {
+        /// s.
+        step: f64,
+    },
+    /// Dormand–Prince of order 8.
+    Dop853 {
+        /// Per step, rad.
+        tolerance: f64,
+    },
+}
+
+impl Path {
+    /// As tables show it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed form",
+            Self::Taylor { .. } => "Taylor",
+            Self::Rk4 { .. } => "RK4",
+            Self::Dop853 { .. } => "DOP853",
+        }
+    }
+}
+
+/// Something that happens at one instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// When, s.
+    pub time_s: f64,
+    /// To which body: its number.
+    pub body: usize,
+    /// What, in words.
+    pub text: String,
+}

@@ -1,0 +1,122 @@
+/// A quantity that can be watched. Its name, unit, frame and width stand in one table, [`Channel::row`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Channel {
+    /// World from body, quaternion w, x, y, z.
+    Attitude,
+    /// ω in body axes.
+    AngularVelocity,
+    /// ω in world axes.
+    AngularVelocityWorld,
+    /// L in world axes, about the reference point.
+    AngularMomentumWorld,
+    /// L in body axes, about the reference point.
+    AngularMomentumBody,
+    /// τ in body axes, about the reference point.
+    MomentBody,
+    /// τ in world axes, about the reference point.
+    MomentWorld,
+    /// Position of the reference point in world axes.
+    Position,
+    /// Velocity of the reference point in world axes.
+    Velocity,
+    /// Net force in world axes.
+    ForceWorld,
+    /// ω · Iω / 2 about the reference point (about a fixed pivot: all of the kinetic energy).
+    RotationalEnergy,
+    /// m v² / 2.
+    TranslationalEnergy,
+    /// Of the forces that have a potential.
+    PotentialEnergy,
+    /// Kinetic and potential energy; the Jacobi integral on a circular orbit.
+    TotalEnergy,
+    /// Change of the total energy since t = 0, relative, in 1e-15.
+    EnergyDrift,
+    /// How far L is from what its law says, relative, in 1e-15.
+    MomentumDrift,
+}
+
+/// One row of the table of channels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Row {
+    /// As it is asked for in scenes and flags, and named in recordings.
+    pub name: &'static str,
+    /// As a plot's title says it, with frame.
+    pub title: &'static str,
+    /// As people read it.
+    pub unit: &'static str,
+    /// As names carry it (`rad_s`); empty for a number without unit.
+    pub unit_suffix: &'static str,
+    /// What each column is called; a single empty one for a scalar.
+    pub components: &'static [&'static str],
+}
+
+impl Row {
+    /// The header of column `index`: name, component, unit (`angular_velocity_x_rad_s`).
+    #[must_use]
+    pub fn column_name(&self, index: usize) -> String {
+        let parts = [self.name, self.components[index], self.unit_suffix];
+        parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_")
+    }
+}
+
+const QUATERNION: &[&str] = &["w", "x", "y", "z"];
+const VECTOR: &[&str] = &["x", "y", "z"];
+const SCALAR: &[&str] = &[""];
+
+impl Channel {
+    /// Every channel, in the order in which recordings hold them.
+    pub const ALL: [Self; 16] = [
+        Self::Attitude,
+        Self::AngularVelocity,
+        Self::AngularVelocityWorld,
+        Self::AngularMomentumWorld,
+        Self::AngularMomentumBody,
+        Self::MomentBody,
+        Self::MomentWorld,
+        Self::Position,
+        Self::Velocity,
+        Self::ForceWorld,
+        Self::RotationalEnergy,
+        Self::TranslationalEnergy,
+        Self::PotentialEnergy,
+        Self::TotalEnergy,
+        Self::EnergyDrift,
+        Self::MomentumDrift,
+    ];
+
+    /// Name, title, unit and components.
+    #[must_use]
+    pub const fn row(self) -> Row {
+        let (name, title, unit, unit_suffix, components) = match self {
+            Self::Attitude => ("attitude", "attitude, world from body", "1", "", QUATERNION),
+            Self::AngularVelocity => ("angular_velocity", "ω in body axes", "rad/s", "rad_s", VECTOR),
+            Self::AngularVelocityWorld => ("angular_velocity_world", "ω in world axes", "rad/s", "rad_s", VECTOR),
+            Self::AngularMomentumWorld => ("angular_momentum_world", "L in world axes", "N m s", "n_m_s", VECTOR),
+            Self::AngularMomentumBody => ("angular_momentum_body", "L in body axes", "N m s", "n_m_s", VECTOR),
+            Self::MomentBody => ("moment_body", "τ in body axes", "N m", "n_m", VECTOR),
+            Self::MomentWorld => ("moment_world", "τ in world axes", "N m", "n_m", VECTOR),
+            Self::Position => ("position", "position in world axes", "m", "m", VECTOR),
+            Self::Velocity => ("velocity", "velocity in world axes", "m/s", "m_s", VECTOR),
+            Self::ForceWorld => ("force_world", "force in world axes", "N", "n", VECTOR),
+            Self::RotationalEnergy => ("rotational_energy", "rotational energy", "J", "j", SCALAR),
+            Self::TranslationalEnergy => ("translational_energy", "translational energy", "J", "j", SCALAR),
+            Self::PotentialEnergy => ("potential_energy", "potential energy", "J", "j", SCALAR),
+            Self::TotalEnergy => ("total_energy", "total energy", "J", "j", SCALAR),
+            Self::EnergyDrift => ("energy_drift", "energy drift", "1e-15", "per_1e15", SCALAR),
+            Self::MomentumDrift => ("momentum_drift", "momentum drift", "1e-15", "per_1e15", SCALAR),
+        };
+        Row { name, title, unit, unit_suffix, components }
+    }
+
+    /// How many columns.
+    #[must_use]
+    pub const fn width(self) -> usize {
+        self.row().components.len()
+    }
+
+    /// The channel of that name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|channel| channel.row().name == name)
+    }
+}
