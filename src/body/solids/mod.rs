@@ -1,0 +1,7 @@
+//! Simple solids, alone and put together.
+
+mod shape;
+mod solid;
+
+pub use shape::Shape;
+pub use solid::{Solid, mass_properties_of};
