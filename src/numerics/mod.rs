@@ -1,1 +1,3 @@
 //! Mathematics without bodies in it: elliptic functions, rotation maps, double-double, series.
+
+pub mod so3;
