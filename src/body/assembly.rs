@@ -35,7 +35,7 @@ pub(super) fn assemble(pieces: &[Piece]) -> Result<MassProperties, BodyError> {
 }
 
 /// Σ m p / Σ m, in two passes: the second, about the first's result, removes the rounding of a distant origin.
-fn centre_of_mass(pieces: &[Piece], mass: f64) -> Vector3<f64> {
+pub(super) fn centre_of_mass(pieces: &[Piece], mass: f64) -> Vector3<f64> {
     let mean_from = |origin: Vector3<f64>| {
         Vector3::from([0, 1, 2].map(|axis| {
             compensated_sum(pieces.iter().map(|piece| piece.mass * (piece.centre[axis] - origin[axis]))) / mass

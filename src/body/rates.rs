@@ -23,6 +23,12 @@ impl AngularVelocity {
         finite("angular velocity", in_body).map(Self)
     }
 
+    /// From body components in rad/s that a formula made, unchecked.
+    #[must_use]
+    pub fn from_vector(in_body: Vector3<f64>) -> Self {
+        Self(in_body)
+    }
+
     /// Body components, rad/s.
     #[must_use]
     pub fn in_body(self) -> Vector3<f64> {

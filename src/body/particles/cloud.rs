@@ -1,6 +1,6 @@
 use nalgebra::{Matrix3, Vector3};
 
-use crate::body::assembly::{Piece, assemble, compensated_sum};
+use crate::body::assembly::{Piece, assemble, centre_of_mass, compensated_sum};
 use crate::body::error::finite;
 use crate::body::{BodyError, MassProperties};
 
@@ -52,6 +52,12 @@ impl ParticleCloud {
         compensated_sum(self.particles.iter().map(|particle| particle.mass))
     }
 
+    /// X = Σ mᵢ pᵢ / M, from the body's origin, body axes, m.
+    #[must_use]
+    pub fn centre_of_mass(&self) -> Vector3<f64> {
+        centre_of_mass(&self.pieces(), self.mass())
+    }
+
     /// Mass, centre of mass X = Σ mᵢ pᵢ / M, and I₀ = Σ mᵢ (|r|² E − r rᵀ) about it, r = pᵢ − X.
     ///
     /// # Errors
@@ -71,5 +77,11 @@ impl ParticleCloud {
             return Err(BodyError::Collinear { count: self.particles.len(), smallest, largest });
         }
         body
+    }
+
+    fn pieces(&self) -> Vec<Piece> {
+        let piece =
+            |&Particle { mass, position }: &Particle| Piece { mass, centre: position, second_moment: Matrix3::zeros() };
+        self.particles.iter().map(piece).collect()
     }
 }

@@ -2,7 +2,8 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
-use crate::body::error::{BodyError, positive};
+use crate::body::error::positive;
+use crate::body::{BodyError, PrincipalMoments};
 
 /// A simple solid in its own axes; lengths in m. Its origin is its centre, but for the cone, where it is that of the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,6 +128,16 @@ impl Shape {
                 round(0.5 * major_radius * major_radius + 0.375 * tube, 0.25 * tube)
             }
         }
+    }
+
+    /// Edges in m of the uniform box of this mass in kg that has these principal moments: a² = 6 (I₂ + I₃ − I₁) / M.
+    ///
+    /// A flat body's box has an edge of zero, to rounding.
+    #[must_use]
+    pub fn equivalent_size(moments: PrincipalMoments, mass: f64) -> [f64; 3] {
+        let [a, b, c] = moments.vector().into();
+        // Rounding may have left a lamina's difference below zero.
+        [b + c - a, c + a - b, a + b - c].map(|excess| (6.0 * excess.max(0.0) / mass).sqrt())
     }
 
     /// The moments of inertia about the centre of mass at density 1 kg/m³, in the shape's axes, m⁵.
