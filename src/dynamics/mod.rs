@@ -1,7 +1,22 @@
 //! What makes a body turn: torques and forces, Euler's equations, the laws that motions obey.
+//!
+//! A [`Problem`] lists [`Load`]s as they were asked for. A [`Schedule`] is the same, ready to be integrated: cut where
+//! windows open and close, and in each [`Span`] everything that acts summed into one [`Combined`].
 
+mod combined;
+mod error;
+mod euler;
+mod invariants;
+mod laws;
 mod problem;
+mod schedule;
 mod torque;
 
+pub use combined::{Combined, Couple, Gradient};
+pub use error::DynamicsError;
+pub use euler::{EulerEquations, attitude_rate};
+pub use invariants::{jacobi_integral, momentum_in_world, potential_energy, rotational_energy, translational_energy};
+pub use laws::{EnergyLaw, MomentumLaw};
 pub use problem::Problem;
+pub use schedule::{Schedule, Span};
 pub use torque::{Load, Torque, TorqueModel, Window};

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use crate::body::{Moment, State};
+use crate::body::{Moment, PrincipalMoments, State};
 
 /// A moment that depends on time and state: a library user's own, for the Runge–Kutta methods.
 pub trait TorqueModel {
@@ -74,4 +74,67 @@ pub struct Load {
     pub torque: Torque,
     /// When.
     pub window: Window,
+}
+
+impl Torque {
+    /// The moment about the reference point at `time` in s, N m; principal axes.
+    ///
+    /// `moments` are the body's: the gravity gradient is theirs as much as the orbit's.
+    #[must_use]
+    pub fn moment(&self, moments: PrincipalMoments, time: f64, state: &State) -> Vector3<f64> {
+        match *self {
+            Self::ConstantBody { moment } => moment,
+            Self::ConstantWorld { moment } => state.attitude.to_body(&moment),
+            Self::LinearDamping { coefficient } => -coefficient * state.angular_velocity.in_body(),
+            Self::ForceBody { force, arm } => arm.cross(&force),
+            Self::ForceWorld { force, arm } => arm.cross(&state.attitude.to_body(&force)),
+            Self::GravityGradient { mean_motion } => {
+                let radial = state.attitude.to_body(&radial_direction(mean_motion, time));
+                gradient_moment(moments, 3.0 * mean_motion * mean_motion, &radial)
+            }
+        }
+    }
+
+    /// The force on the reference point, N; world axes. Zero for pure moments.
+    #[must_use]
+    pub fn force(&self, state: &State) -> Vector3<f64> {
+        match *self {
+            Self::ForceBody { force, .. } => state.attitude.to_world(&force),
+            Self::ForceWorld { force, .. } => force,
+            _ => Vector3::zeros(),
+        }
+    }
+}
+
+impl Load {
+    /// The moment about the reference point at `time` in s, N m, principal axes; zero outside the window.
+    #[must_use]
+    pub fn moment(&self, moments: PrincipalMoments, time: f64, state: &State) -> Vector3<f64> {
+        if self.window.contains(time) { self.torque.moment(moments, time, state) } else { Vector3::zeros() }
+    }
+
+    /// The force on the reference point at `time` in s, N, world axes; zero outside the window.
+    #[must_use]
+    pub fn force(&self, time: f64, state: &State) -> Vector3<f64> {
+        if self.window.contains(time) { self.torque.force(state) } else { Vector3::zeros() }
+    }
+}
+
+/// From the attracting centre to a body on a circular orbit in the world x-y plane; unit, world axes.
+#[must_use]
+pub(crate) fn radial_direction(mean_motion: f64, time: f64) -> Vector3<f64> {
+    let (sine, cosine) = libm::sincos(mean_motion * time);
+    Vector3::new(cosine, sine, 0.0)
+}
+
+/// k r × I r, with differences of moments taken first: r × I r would cancel on a nearly round body.
+#[must_use]
+pub(crate) fn gradient_moment(moments: PrincipalMoments, strength: f64, radial: &Vector3<f64>) -> Vector3<f64> {
+    let inertia = moments.vector();
+    strength
+        * Vector3::new(
+            (inertia.z - inertia.y) * (radial.y * radial.z),
+            (inertia.x - inertia.z) * (radial.z * radial.x),
+            (inertia.y - inertia.x) * (radial.x * radial.y),
+        )
 }

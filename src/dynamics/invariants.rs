@@ -1,0 +1,45 @@
+use nalgebra::Vector3;
+
+use super::{Torque, torque::radial_direction};
+use crate::body::{PrincipalMoments, State};
+
+/// ½ ω·Iω, J: of the rotation about the reference point (about a pivot: all of the motion's).
+#[must_use]
+pub fn rotational_energy(moments: PrincipalMoments, state: &State) -> f64 {
+    let omega = state.angular_velocity.in_body();
+    0.5 * moments.vector().dot(&omega.component_mul(&omega))
+}
+
+/// ½ m v², J.
+#[must_use]
+pub fn translational_energy(mass: f64, state: &State) -> f64 {
+    0.5 * mass * state.velocity.norm_squared()
+}
+
+/// R I ω, N m s: about the reference point, in world axes.
+#[must_use]
+pub fn momentum_in_world(moments: PrincipalMoments, state: &State) -> Vector3<f64> {
+    state.angular_velocity.momentum(moments).in_world(state.attitude)
+}
+
+/// The potential energy, J, of a load that has one while it acts; `None` for one that has not (thruster, brake, motor).
+///
+/// A force constant in the world: −F·(x + R arm). The gravity gradient: 3/2 n² r·I r.
+#[must_use]
+pub fn potential_energy(torque: &Torque, moments: PrincipalMoments, time: f64, state: &State) -> Option<f64> {
+    match *torque {
+        Torque::ForceWorld { force, arm } => Some(-force.dot(&(state.position + state.attitude.to_world(&arm)))),
+        Torque::GravityGradient { mean_motion } => {
+            let radial = state.attitude.to_body(&radial_direction(mean_motion, time));
+            Some(1.5 * mean_motion * mean_motion * moments.vector().dot(&radial.component_mul(&radial)))
+        }
+        _ => None,
+    }
+}
+
+/// ½ ω·Iω + 3/2 n² r·I r − n L_z, J: what a body on a circular orbit keeps, its energy as seen from the turning frame.
+#[must_use]
+pub fn jacobi_integral(mean_motion: f64, moments: PrincipalMoments, time: f64, state: &State) -> f64 {
+    let gradient = potential_energy(&Torque::GravityGradient { mean_motion }, moments, time, state).unwrap_or(0.0);
+    rotational_energy(moments, state) + gradient - mean_motion * momentum_in_world(moments, state).z
+}

@@ -1,0 +1,17 @@
+//! Taylor series of high order: the working method for motions under torque.
+//!
+//! In (q, ω, body images of world vectors) the equations of motion are bilinear, so that each Taylor coefficient is a
+//! convolution of those before it. The parts, each usable without the next: `series` and `recurrence` (coefficients, for
+//! any way of stepping), `step_size`, `dense` (evaluation), `carried` (compensated state), `propagator` (the stepping).
+
+mod carried;
+mod dense;
+mod propagator;
+mod recurrence;
+mod series;
+mod step_size;
+mod stretch;
+mod sums;
+mod terms;
+
+pub use propagator::Taylor;

@@ -1,0 +1,202 @@
+use super::carried::Carried;
+use super::dense::{LANES, Polynomials, normalise};
+use super::series::Series;
+use super::step_size::{order_for, power_of_two, step_ratio};
+use super::stretch::Stretch;
+use super::sums::Sums;
+use super::terms::Terms;
+use crate::dynamics::{EulerEquations, Problem, Schedule};
+use crate::propagation::sampling::check_times;
+use crate::propagation::{Effort, PropagationError, Propagator, States};
+
+/// Motion under any loads, by Taylor series of high order with dense output [JZ05].
+///
+/// The state is carried in compensated sums, steps stop exactly where a load starts or ends, and no step is ever
+/// thrown away: its length follows from the series. Where the steps lie does not depend on the sample times.
+#[derive(Debug, Clone)]
+pub struct Taylor {
+    stretches: Vec<Stretch>,
+    current: usize,
+    order: usize,
+    tolerance: f64,
+    wants_attitude: bool,
+    wants_translation: bool,
+    /// The motion from `start` to `end`; no time passes between them before the first step.
+    series: Series,
+    terms: Terms,
+    start: Carried,
+    end: Carried,
+    /// The series' unit of time for the next step, s.
+    unit: f64,
+    latest: f64,
+    effort: Effort,
+}
+
+impl Taylor {
+    /// The longest step, s, of a body at rest for ever: as good as infinite, and its square is still a number.
+    const LONGEST_STEP: f64 = 1e100;
+
+    /// From a problem and the error allowed per step: rad of attitude, and relative in the rates.
+    ///
+    /// The order follows from `tolerance`, up to 24; below 1e-17 nothing is gained.
+    ///
+    /// # Errors
+    /// [`PropagationError::NotCovered`] if the tolerance is not between 0 and 1, a force moves a body of unknown mass,
+    /// or two orbits act at once.
+    pub fn new(problem: &Problem, tolerance: f64) -> Result<Self, PropagationError> {
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(not_covered("its tolerance must lie between 0 and 1"));
+        }
+        let schedule = Schedule::new(problem).map_err(|error| not_covered(error.rule()))?;
+        let with_attitude = problem.wants_attitude || schedule.needs_attitude();
+        let euler = EulerEquations::new(problem.moments);
+        let stretches: Vec<Stretch> = schedule
+            .spans()
+            .iter()
+            .map(|span| Stretch::new(&euler, span, with_attitude, problem.wants_translation))
+            .collect();
+        let start = Carried::new(&problem.initial);
+        let unit = stretches[0].unit_at(&start);
+        Ok(Self {
+            current: 0,
+            order: order_for(tolerance),
+            tolerance,
+            wants_attitude: problem.wants_attitude,
+            wants_translation: problem.wants_translation,
+            series: Series::new(),
+            terms: stretches[0].terms_in(unit),
+            stretches,
+            start,
+            end: start,
+            unit,
+            latest: 0.0,
+            effort: Effort::default(),
+        })
+    }
+
+    /// The order of its series.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Makes one step.
+    fn advance(&mut self) -> Result<(), PropagationError> {
+        if self.end.time.until(self.stretches[self.current].end) <= 0.0 {
+            // The last stretch ends at infinity, so there is a next one.
+            self.current += 1;
+            self.series = Series::new();
+            self.unit = self.stretches[self.current].unit_at(&self.end);
+            self.terms = self.stretches[self.current].terms_in(self.unit);
+        }
+        let stretch = &self.stretches[self.current];
+        if self.unit != self.terms.unit {
+            self.terms = stretch.terms_in(self.unit);
+        }
+        stretch.expand(&self.end, &self.terms, &mut self.series, self.order);
+        self.effort.evaluations += 1;
+        self.start = self.end;
+
+        let time = self.start.time.high[0];
+        let remaining = self.start.time.until(stretch.end);
+        let step = self.unit * step_ratio(&self.series, self.order, self.tolerance);
+        let step = step.min(remaining).min(Self::LONGEST_STEP);
+        let mut end = self.stepped(step);
+        if step == remaining {
+            end.time = Sums::new([stretch.end]);
+        }
+        if !end.is_finite() || end.time == self.start.time {
+            // What is asked for again must not come from a series that went nowhere.
+            self.series = Series::new();
+            return Err(if end.is_finite() {
+                PropagationError::StepTooSmall { time, step }
+            } else {
+                PropagationError::NotFinite { time }
+            });
+        }
+        self.end = end;
+        self.unit = power_of_two(step);
+        self.effort.steps += 1;
+        Ok(())
+    }
+
+    /// The state `step` seconds after the start of the series.
+    fn stepped(&self, step: f64) -> Carried {
+        let sigma = step / self.terms.unit;
+        let mut state = self.start;
+        state.time.add([step]);
+        state.rates = self.rates().after(sigma);
+        state.attitude = self.attitude().after(sigma);
+        state.normalise();
+        if self.wants_translation {
+            state.position = self.position().after(sigma);
+            state.velocity = self.velocity().after(sigma);
+        }
+        state
+    }
+
+    /// Writes the states at times within the current step, from row `first` on.
+    fn sample(&self, times: &[f64], first: usize, states: &mut States) {
+        let mut rows = first..first;
+        for times in times.chunks(LANES) {
+            rows = rows.end..rows.end + times.len();
+            let mut sigmas = [0.0; LANES];
+            for (sigma, time) in sigmas.iter_mut().zip(times) {
+                *sigma = self.start.time.until(*time) / self.terms.unit;
+            }
+            self.rates().write(&sigmas, &mut states.angular_velocity, &rows);
+            if self.wants_attitude {
+                self.attitude().write(&sigmas, &mut states.attitude, &rows);
+                normalise(&mut states.attitude, rows.clone());
+            }
+            if self.wants_translation {
+                self.position().write(&sigmas, &mut states.position, &rows);
+                self.velocity().write(&sigmas, &mut states.velocity, &rows);
+            }
+        }
+    }
+
+    fn attitude(&self) -> Polynomials<'_, 4> {
+        Polynomials { start: &self.start.attitude, rows: &self.series.attitude, order: self.order, unit: 1.0 }
+    }
+
+    fn rates(&self) -> Polynomials<'_, 3> {
+        let unit = self.terms.unit;
+        Polynomials { start: &self.start.rates, rows: &self.series.rates, order: self.order, unit }
+    }
+
+    fn position(&self) -> Polynomials<'_, 3> {
+        Polynomials { start: &self.start.position, rows: &self.series.position, order: self.order, unit: 1.0 }
+    }
+
+    fn velocity(&self) -> Polynomials<'_, 3> {
+        let unit = self.terms.unit;
+        Polynomials { start: &self.start.velocity, rows: &self.series.velocity, order: self.order, unit }
+    }
+}
+
+impl Propagator for Taylor {
+    fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
+        check_times(times, self.latest)?;
+        states.reset(times.len(), self.wants_attitude, self.wants_translation);
+        let mut done = 0;
+        while let Some(&time) = times.get(done) {
+            while self.end.time.until(time) > 0.0 {
+                self.advance()?;
+            }
+            let within = times[done..].iter().take_while(|time| self.end.time.until(**time) <= 0.0).count();
+            self.sample(&times[done..done + within], done, states);
+            done += within;
+            self.latest = times[done - 1];
+        }
+        Ok(())
+    }
+
+    fn effort(&self) -> Effort {
+        self.effort
+    }
+}
+
+fn not_covered(rule: &'static str) -> PropagationError {
+    PropagationError::NotCovered { method: "Taylor", rule }
+}
