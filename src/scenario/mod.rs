@@ -1,11 +1,25 @@
 //! What was asked ([`Scenario`]), what will be done ([`Plan`]), what is happening ([`Run`]).
 
+mod check;
+mod error;
+#[cfg(feature = "serde")]
+mod file;
 mod grid;
+mod key;
+#[cfg(feature = "serde")]
+pub mod library;
+mod locate;
+mod near_miss;
+mod plan;
 mod planned;
 mod run;
 mod scene;
+mod watch;
 
+pub use check::{CheckKind, CheckOutcome, CheckPlan};
+pub use error::{Excerpt, Refused, ScenarioError};
 pub use grid::Grid;
+pub use key::{Key, Refusal, Segment};
 pub use planned::{Event, Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::*;

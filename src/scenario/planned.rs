@@ -45,6 +45,8 @@ pub struct PlannedBody {
     pub channels: Vec<Channel>,
     /// What is not done, and why not.
     pub skipped: Vec<String>,
+    /// Whether its reference point moves.
+    pub moves: bool,
     /// Whether a point of it is held fixed.
     pub is_pivoted: bool,
 }

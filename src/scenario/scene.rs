@@ -33,6 +33,9 @@ pub struct Scenario {
     pub check: Checks,
     /// Where the numbers come from.
     pub provenance: Provenance,
+    /// The file or scene that messages name; not a key.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub file: String,
     /// Where relative file names start; not a key.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub folder: PathBuf,

@@ -1,0 +1,12 @@
+use super::crossing::evenly;
+use crate::propagation::PropagationError;
+use crate::scenario::PlannedBody;
+use crate::telemetry::Channel;
+
+/// The largest magnitude of a drift channel at a thousand times over `duration`, as a fraction.
+pub fn largest(body: &PlannedBody, channel: Channel, duration: f64) -> Result<f64, PropagationError> {
+    let samples = body.sample(&[channel], &evenly(0.0, duration, 1000))?;
+    // A NaN must fail the check, and `max` would hide it.
+    let largest = |worst: f64, drift: &f64| if drift.is_nan() { f64::NAN } else { worst.max(drift.abs()) };
+    Ok(samples.columns()[0].iter().fold(0.0, largest) * 1e-15)
+}

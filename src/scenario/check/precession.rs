@@ -1,0 +1,70 @@
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+use super::crossing::evenly;
+use crate::body::State;
+use crate::dynamics::momentum_in_world;
+use crate::propagation::PropagationError;
+use crate::scenario::PlannedBody;
+use crate::telemetry::Channel;
+
+/// Mean rate, rad/s, at which `axis` (body axes) goes round `around` (world axes; L at t = 0 where left out).
+pub fn in_world(
+    body: &PlannedBody,
+    axis: &Vector3<f64>,
+    around: Option<&Vector3<f64>>,
+    duration: f64,
+    expected: f64,
+) -> Result<f64, PropagationError> {
+    let around = around.copied().unwrap_or_else(|| initial_momentum(body));
+    let times = evenly(0.0, duration, looks(duration, expected));
+    let samples = body.sample(&[Channel::Attitude], &times)?;
+    let [w, x, y, z] = samples.columns() else { return Ok(f64::NAN) };
+    let directions = (0..times.len()).map(|index| {
+        UnitQuaternion::new_unchecked(Quaternion::new(w[index], x[index], y[index], z[index])) * axis
+    });
+    Ok(mean_rate(directions, &around, duration))
+}
+
+/// Mean rate, rad/s, at which ω goes round `axis`, both in body axes.
+pub fn in_body(
+    body: &PlannedBody,
+    axis: &Vector3<f64>,
+    duration: f64,
+    expected: f64,
+) -> Result<f64, PropagationError> {
+    let times = evenly(0.0, duration, looks(duration, expected));
+    let samples = body.sample(&[Channel::AngularVelocity], &times)?;
+    let columns = samples.columns();
+    let directions = (0..times.len()).map(|index| Vector3::from_fn(|row, _| columns[row][index]));
+    Ok(mean_rate(directions, axis, duration))
+}
+
+fn initial_momentum(body: &PlannedBody) -> Vector3<f64> {
+    let initial: &State = &body.problem.initial;
+    momentum_in_world(body.problem.moments, initial)
+}
+
+/// How many times to look: sixteen a turn at the expected rate, so that no turn is missed.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+fn looks(duration: f64, expected: f64) -> usize {
+    (duration * expected.abs() / TAU * 16.0).clamp(256.0, 1e6) as usize
+}
+
+/// Angle gone round `around`, unwrapped, over `duration`.
+fn mean_rate(directions: impl Iterator<Item = Vector3<f64>>, around: &Vector3<f64>, duration: f64) -> f64 {
+    let Some(pole) = around.try_normalize(0.0) else { return f64::NAN };
+    let least = pole.iamin();
+    let Some(first) = pole.cross(&Vector3::ith(least, 1.0)).try_normalize(0.0) else { return f64::NAN };
+    let second = pole.cross(&first);
+    let mut angles = directions.map(|direction| libm::atan2(direction.dot(&second), direction.dot(&first)));
+    let Some(mut last) = angles.next() else { return f64::NAN };
+    let mut gone = 0.0;
+    for angle in angles {
+        let step = angle - last;
+        gone += step - TAU * ((step + PI) / TAU).floor();
+        last = angle;
+    }
+    gone / duration
+}

@@ -1,0 +1,44 @@
+//! The scenes that come with the program.
+
+macro_rules! scenes {
+    ($($name:literal),+ $(,)?) => {
+        const SCENES: &[(&str, &str)] =
+            &[$(($name, include_str!(concat!("../../scenarios/", $name, ".toml")))),+];
+    };
+}
+
+scenes![
+    "boxes_benchmark",
+    "constant_body_torque",
+    "constant_world_torque",
+    "dzhanibekov",
+    "dzhanibekov_three_axes",
+    "earth_euler",
+    "feynman_plate",
+    "free_precession_oblate",
+    "free_precession_prolate",
+    "gravity_gradient",
+    "lagrange_top",
+    "spin_up",
+    "tennis_racket",
+    "thrown_hammer",
+    "thruster_pulses",
+];
+
+/// Their names, in alphabetical order.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    SCENES.iter().map(|(name, _)| *name)
+}
+
+/// The TOML text of the scene called `name`.
+#[must_use]
+pub fn text(name: &str) -> Option<&'static str> {
+    SCENES.iter().find(|(candidate, _)| *candidate == name).map(|(_, text)| *text)
+}
+
+/// What to say to somebody who asked for a scene that there is not.
+#[must_use]
+pub(super) fn hint(name: &str) -> String {
+    super::near_miss::nearest(name, names())
+        .map_or_else(|| ": `polhode list` names them all".to_owned(), |near| format!("; did you mean {near:?}?"))
+}

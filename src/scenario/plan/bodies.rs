@@ -1,0 +1,94 @@
+use super::rules::{optional_vector, rotation, unused, vector};
+use super::{channels, loads, mass, path};
+use crate::body::{AngularVelocity, Attitude, MassProperties, State};
+use crate::dynamics::Problem;
+use crate::scenario::{BodySpec, Key, PlannedBody, Refusal, Scenario};
+
+/// All bodies, each with its path.
+pub fn plan(scenario: &Scenario) -> Result<Vec<PlannedBody>, Refusal> {
+    let mut bodies: Vec<PlannedBody> = Vec::new();
+    for (index, spec) in scenario.body.iter().enumerate() {
+        let key = Key::root("body").index(index);
+        let name = name(&key, spec, scenario.body.len())?;
+        if bodies.iter().any(|body| body.name == name) {
+            return Err(key.field("name").refuse(format_args!("{name:?} is the name of two bodies")));
+        }
+        bodies.push(body(scenario, &key, spec, name)?);
+    }
+    Ok(bodies)
+}
+
+fn name(key: &Key, spec: &BodySpec, count: usize) -> Result<String, Refusal> {
+    let key = key.field("name");
+    let name = &spec.name;
+    if name.is_empty() {
+        let rule = "missing: bodies of a scene with several need names";
+        return if count == 1 { Ok("body".to_owned()) } else { Err(key.refuse(rule)) };
+    }
+    let is_fit = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == '-';
+    if name.len() > 64 || !name.chars().all(is_fit) {
+        return Err(key.refuse(format_args!("{name:?}: at most 64 letters, digits, _ and -, as it names topics")));
+    }
+    Ok(name.clone())
+}
+
+fn body(scenario: &Scenario, key: &Key, spec: &BodySpec, name: String) -> Result<PlannedBody, Refusal> {
+    let (properties, surfaces) = mass::plan(key, spec, &scenario.folder)?;
+    let acting = loads::plan(key, spec, &properties)?;
+    let is_pivoted = spec.pivot.is_some();
+    let initial = initial(key, spec, &properties)?;
+    let moves = acting.forces || initial.velocity.norm() > 0.0;
+    let problem = Problem {
+        moments: properties.moments,
+        mass: properties.mass,
+        initial,
+        loads: acting.loads,
+        gravity: acting.gravity,
+        wants_attitude: true,
+        wants_translation: false,
+    };
+    let recorded = channels::choose(scenario, &problem, moves)?;
+    let (path, reason) = path::choose(scenario, &problem)?;
+    let body = PlannedBody {
+        name,
+        properties,
+        surfaces,
+        problem,
+        path,
+        reason,
+        channels: Vec::new(),
+        skipped: Vec::new(),
+        is_pivoted,
+        moves,
+    };
+    Ok(body.watching(&recorded))
+}
+
+/// The first state, in principal axes.
+fn initial(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<State, Refusal> {
+    let principal_from_body = properties.body_from_principal.inverse();
+    let momentum_key = key.field("angular_momentum_n_m_s");
+    let angular_velocity = match (spec.angular_velocity_rad_s, spec.angular_momentum_n_m_s) {
+        (Some(_), Some(_)) => {
+            return Err(momentum_key.refuse("given beside angular_velocity_rad_s: one of the two"));
+        }
+        (velocity, None) => {
+            principal_from_body * optional_vector(&key.field("angular_velocity_rad_s"), velocity)?
+        }
+        (None, Some(momentum)) => {
+            let momentum = principal_from_body * vector(&momentum_key, momentum)?;
+            momentum.component_div(&properties.moments.vector())
+        }
+    };
+    if spec.pivot.is_some() {
+        let rule = "a body with a pivot goes nowhere";
+        unused(&key.field("velocity_m_s"), spec.velocity_m_s.as_ref(), rule)?;
+    }
+    let world_from_body = rotation(&key.field("attitude"), spec.attitude)?.world_from_body();
+    Ok(State {
+        attitude: Attitude::from_world_from_body(world_from_body * properties.body_from_principal),
+        angular_velocity: AngularVelocity::from_vector(angular_velocity),
+        position: optional_vector(&key.field("position_m"), spec.position_m)?,
+        velocity: optional_vector(&key.field("velocity_m_s"), spec.velocity_m_s)?,
+    })
+}

@@ -1,0 +1,76 @@
+use crate::dynamics::{Problem, Torque};
+use crate::scenario::near_miss::nearest;
+use crate::scenario::{Key, Refusal, Scenario};
+use crate::telemetry::Channel;
+
+/// What is recorded of one body: what was asked for, or what the scene makes interesting; in the order of
+/// [`Channel::ALL`].
+pub fn choose(scenario: &Scenario, problem: &Problem, moves: bool) -> Result<Vec<Channel>, Refusal> {
+    let Some(names) = &scenario.channels else { return Ok(interesting(problem, moves)) };
+    let key = Key::root("channels");
+    if names.is_empty() {
+        return Err(key.refuse("empty: name at least one channel, or leave the key out"));
+    }
+    let mut asked = Vec::new();
+    for (index, name) in names.iter().enumerate() {
+        let key = key.index(index);
+        let channel = named(&key, name)?;
+        if asked.contains(&channel) {
+            return Err(key.refuse(format_args!("{name:?} is named twice")));
+        }
+        if let Some(rule) = missing_law(problem, channel) {
+            return Err(key.refuse(format_args!("{name:?} {rule}")));
+        }
+        asked.push(channel);
+    }
+    asked.sort_unstable();
+    Ok(asked)
+}
+
+/// The channel called `name`.
+pub fn named(key: &Key, name: &str) -> Result<Channel, Refusal> {
+    Channel::from_name(name).ok_or_else(|| {
+        let names = Channel::ALL.map(|channel| channel.row().name);
+        let hint = nearest(name, names.into_iter())
+            .map_or_else(|| format!("known are {}", names.join(", ")), |near| format!("did you mean {near:?}?"));
+        key.refuse(format_args!("{name:?} is no channel; {hint}"))
+    })
+}
+
+/// Why a drift cannot be told: nothing is conserved.
+pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> {
+    match channel {
+        Channel::EnergyDrift if problem.energy_law().is_none() => {
+            Some("has no meaning here: these torques conserve no energy")
+        }
+        Channel::MomentumDrift if problem.momentum_law().is_none() => {
+            Some("has no meaning here: these torques leave no component of L with a known law")
+        }
+        _ => None,
+    }
+}
+
+fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
+    let has_potential = problem
+        .loads
+        .iter()
+        .any(|load| matches!(load.torque, Torque::ForceWorld { .. } | Torque::GravityGradient { .. }))
+        || moves && problem.gravity.norm() > 0.0;
+    let conserves = problem.energy_law().is_some();
+    let has_moment = problem.loads.iter().any(|load| match load.torque {
+        Torque::ForceBody { arm, .. } | Torque::ForceWorld { arm, .. } => arm.norm() > 0.0,
+        _ => true,
+    });
+    let is_interesting = |channel: &Channel| match channel {
+        Channel::Attitude | Channel::AngularVelocity | Channel::AngularMomentumWorld | Channel::RotationalEnergy => {
+            true
+        }
+        Channel::MomentBody => has_moment,
+        Channel::Position | Channel::Velocity | Channel::ForceWorld | Channel::TranslationalEnergy => moves,
+        Channel::PotentialEnergy | Channel::TotalEnergy => has_potential && conserves,
+        Channel::EnergyDrift => conserves,
+        Channel::MomentumDrift => problem.momentum_law().is_some(),
+        Channel::AngularVelocityWorld | Channel::AngularMomentumBody | Channel::MomentWorld => false,
+    };
+    Channel::ALL.into_iter().filter(is_interesting).collect()
+}

@@ -1,0 +1,85 @@
+use super::channels::{missing_law, named};
+use super::rules::{finite, not_negative, positive, unit_vector};
+use crate::scenario::{CheckKind, CheckPlan, Key, PlannedBody, Refusal, Scenario, ValueSpec};
+use crate::telemetry::Channel;
+
+/// Every check of the scene, ready to be measured.
+pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec<CheckPlan>, Refusal> {
+    let mut plans = Vec::new();
+    let root = Key::root("check");
+    for (index, spec) in scenario.check.flip_period.iter().enumerate() {
+        let key = root.field("flip_period").index(index);
+        plans.push(CheckPlan {
+            body: body(&key, spec.body.as_deref(), bodies)?,
+            kind: CheckKind::FlipPeriod,
+            expected: positive(&key.field("expected_s"), spec.expected_s)?,
+            tolerance: positive(&key.field("tolerance_s"), spec.tolerance_s)?,
+            unit: "s",
+        });
+    }
+    let laws = [
+        ("energy", &scenario.check.energy, Channel::EnergyDrift, CheckKind::Energy { duration: end }),
+        ("momentum", &scenario.check.momentum, Channel::MomentumDrift, CheckKind::Momentum { duration: end }),
+    ];
+    for (field, specs, channel, kind) in laws {
+        for (index, spec) in specs.iter().enumerate() {
+            let key = root.field(field).index(index);
+            let body = body(&key, spec.body.as_deref(), bodies)?;
+            if let Some(rule) = missing_law(&bodies[body].problem, channel) {
+                return Err(key.refuse(format_args!("{field} {rule}")));
+            }
+            let tolerance = positive(&key.field("tolerance"), spec.tolerance)?;
+            plans.push(CheckPlan { body, kind: kind.clone(), expected: 0.0, tolerance, unit: "" });
+        }
+    }
+    for (index, spec) in scenario.check.precession_rate.iter().enumerate() {
+        let key = root.field("precession_rate").index(index);
+        let around = spec.around.map(|around| unit_vector(&key.field("around"), around)).transpose()?;
+        plans.push(CheckPlan {
+            body: body(&key, spec.body.as_deref(), bodies)?,
+            kind: CheckKind::PrecessionRate {
+                frame: spec.frame,
+                axis: unit_vector(&key.field("axis"), spec.axis)?,
+                around,
+                duration: positive(&key.field("over_s"), spec.over_s.unwrap_or(end))?,
+            },
+            expected: finite(&key.field("expected_rad_s"), spec.expected_rad_s)?,
+            tolerance: positive(&key.field("tolerance_rad_s"), spec.tolerance_rad_s)?,
+            unit: "rad/s",
+        });
+    }
+    for (index, spec) in scenario.check.value.iter().enumerate() {
+        plans.push(value(&root.field("value").index(index), spec, bodies)?);
+    }
+    Ok(plans)
+}
+
+fn value(key: &Key, spec: &ValueSpec, bodies: &[PlannedBody]) -> Result<CheckPlan, Refusal> {
+    let body = body(key, spec.body.as_deref(), bodies)?;
+    let channel_key = key.field("channel");
+    let channel = named(&channel_key, &spec.channel)?;
+    if let Some(rule) = missing_law(&bodies[body].problem, channel) {
+        return Err(channel_key.refuse(format_args!("{:?} {rule}", spec.channel)));
+    }
+    let components = channel.row().components;
+    let asked = spec.component.as_deref().unwrap_or_default();
+    let component = components.iter().position(|component| *component == asked).ok_or_else(|| {
+        let known = components.join(", ");
+        key.field("component").refuse(format_args!("{asked:?} is no component of {}: {known}", spec.channel))
+    })?;
+    Ok(CheckPlan {
+        body,
+        kind: CheckKind::Value { channel, component, time: not_negative(&key.field("time_s"), spec.time_s)? },
+        expected: finite(&key.field("expected"), spec.expected)?,
+        tolerance: positive(&key.field("tolerance"), spec.tolerance)?,
+        unit: channel.row().unit,
+    })
+}
+
+fn body(key: &Key, name: Option<&str>, bodies: &[PlannedBody]) -> Result<usize, Refusal> {
+    let Some(name) = name else { return Ok(0) };
+    bodies.iter().position(|body| body.name == name).ok_or_else(|| {
+        let known: Vec<_> = bodies.iter().map(|body| body.name.as_str()).collect();
+        key.field("body").refuse(format_args!("{name:?} is no body of this scene: {}", known.join(", ")))
+    })
+}

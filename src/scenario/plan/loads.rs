@@ -1,0 +1,96 @@
+use nalgebra::Vector3;
+
+use super::rules::{not_negative, optional_vector, positive, vector};
+use crate::body::MassProperties;
+use crate::dynamics::{Load, Torque, Window};
+use crate::scenario::{BodySpec, ForceSpec, Key, Refusal};
+
+/// Everything that acts on one body, and the uniform acceleration of its centre of mass.
+pub struct Loads {
+    /// In principal axes.
+    pub loads: Vec<Load>,
+    /// World axes, m/s²; zero for a body that is held at a pivot.
+    pub gravity: Vector3<f64>,
+    /// Whether a force acts on the centre of mass.
+    pub forces: bool,
+}
+
+/// The loads of the body at `key`, turned into principal axes.
+pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<Loads, Refusal> {
+    let to_principal = |in_body: Vector3<f64>| properties.body_from_principal.inverse_transform_vector(&in_body);
+    let mut loads = Vec::new();
+    let torques = key.field("torque");
+    for (index, spec) in spec.torque.constant_body.iter().enumerate() {
+        let key = torques.field("constant_body").index(index);
+        let moment = to_principal(vector(&key.field("moment_n_m"), spec.moment_n_m)?);
+        loads.push(Load { torque: Torque::ConstantBody { moment }, window: window(&key, spec.start_s, spec.end_s)? });
+    }
+    for (index, spec) in spec.torque.constant_world.iter().enumerate() {
+        let key = torques.field("constant_world").index(index);
+        let moment = vector(&key.field("moment_n_m"), spec.moment_n_m)?;
+        loads.push(Load { torque: Torque::ConstantWorld { moment }, window: window(&key, spec.start_s, spec.end_s)? });
+    }
+    for (index, spec) in spec.torque.linear_damping.iter().enumerate() {
+        let key = torques.field("linear_damping").index(index);
+        let coefficient = not_negative(&key.field("coefficient_n_m_s"), spec.coefficient_n_m_s)?;
+        let window = window(&key, spec.start_s, spec.end_s)?;
+        loads.push(Load { torque: Torque::LinearDamping { coefficient }, window });
+    }
+    for (index, gradient) in spec.torque.gravity_gradient.iter().enumerate() {
+        let key = torques.field("gravity_gradient").index(index);
+        if spec.pivot.is_some() {
+            return Err(key.refuse("contradicts the pivot: a body in orbit is held at no point"));
+        }
+        let mean_motion = positive(&key.field("mean_motion_rad_s"), gradient.mean_motion_rad_s)?;
+        let window = window(&key, gradient.start_s, gradient.end_s)?;
+        loads.push(Load { torque: Torque::GravityGradient { mean_motion }, window });
+    }
+    let forces = key.field("force");
+    for (index, spec) in spec.force.constant_body.iter().enumerate() {
+        let key = forces.field("constant_body").index(index);
+        let (force, arm, window) = force(&key, spec, properties)?;
+        loads.push(Load { torque: Torque::ForceBody { force: to_principal(force), arm }, window });
+    }
+    for (index, spec) in spec.force.constant_world.iter().enumerate() {
+        let key = forces.field("constant_world").index(index);
+        let (force, arm, window) = force(&key, spec, properties)?;
+        loads.push(Load { torque: Torque::ForceWorld { force, arm }, window });
+    }
+    let gravity_key = key.field("gravity_m_s2");
+    let gravity = optional_vector(&gravity_key, spec.gravity_m_s2)?;
+    let has_forces = !spec.force.constant_body.is_empty() || !spec.force.constant_world.is_empty();
+    let is_pulled = gravity != Vector3::zeros();
+    if properties.mass.is_none() && (is_pulled || (has_forces && spec.pivot.is_none())) {
+        let asked = if is_pulled { gravity_key } else { forces };
+        return Err(asked.refuse("needs the body's mass_kg"));
+    }
+    if spec.pivot.is_some() {
+        let arm = to_principal(properties.centre_of_mass - properties.about);
+        let weight = properties.mass.unwrap_or_default() * gravity;
+        if is_pulled && arm != Vector3::zeros() {
+            loads.push(Load { torque: Torque::ForceWorld { force: weight, arm }, window: Window::ALWAYS });
+        }
+        return Ok(Loads { loads, gravity: Vector3::zeros(), forces: false });
+    }
+    Ok(Loads { loads, gravity, forces: has_forces || is_pulled })
+}
+
+/// Force as given, arm from the reference point in principal axes, window.
+fn force(
+    key: &Key,
+    spec: &ForceSpec,
+    properties: &MassProperties,
+) -> Result<(Vector3<f64>, Vector3<f64>, Window), Refusal> {
+    let point = vector(&key.field("point_m"), spec.point_m)?;
+    let arm = properties.body_from_principal.inverse_transform_vector(&(point - properties.about));
+    Ok((vector(&key.field("force_n"), spec.force_n)?, arm, window(key, spec.start_s, spec.end_s)?))
+}
+
+fn window(key: &Key, start: Option<f64>, end: Option<f64>) -> Result<Window, Refusal> {
+    let start = start.map_or(Ok(Window::ALWAYS.start), |start| not_negative(&key.field("start_s"), start))?;
+    let end = end.map_or(Ok(Window::ALWAYS.end), |end| positive(&key.field("end_s"), end))?;
+    if end <= start {
+        return Err(key.field("end_s").refuse(format_args!("{end} must come after start_s = {start}")));
+    }
+    Ok(Window { start, end })
+}

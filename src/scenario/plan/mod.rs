@@ -1,0 +1,13 @@
+//! From what was asked to what will be done: the only place where rules are checked.
+
+mod bodies;
+mod channels;
+mod checks;
+mod loads;
+mod mass;
+mod mesh;
+mod new;
+mod path;
+mod rules;
+mod sampling;
+mod solids;

@@ -1,0 +1,80 @@
+use nalgebra::UnitQuaternion;
+
+use super::PlannedBody;
+use crate::dynamics::Problem;
+use crate::propagation::{PropagationError, States};
+use crate::telemetry::{BodySamples, Channel, Derivation};
+
+impl PlannedBody {
+    /// The same body with other channels watched, and nothing propagated that they do not need.
+    #[must_use]
+    pub fn watching(mut self, channels: &[Channel]) -> Self {
+        let is_free = self.problem.loads.is_empty();
+        self.problem.wants_attitude = channels.iter().any(|channel| needs_attitude(&self.problem, *channel));
+        self.problem.wants_translation = self.moves && channels.iter().any(|channel| needs_translation(*channel));
+        self.channels = channels.to_vec();
+        let mut skipped = Vec::new();
+        let mut skip = |condition: bool, what: &str| {
+            if condition {
+                skipped.push(what.to_owned());
+            }
+        };
+        skip(!self.problem.wants_attitude, "attitude: no channel needs it");
+        skip(!self.moves, "translation: nothing moves the reference point");
+        skip(self.moves && !self.problem.wants_translation, "translation: no channel needs it");
+        skip(is_free, "torques: none acts");
+        let is_aligned = self.properties.body_from_principal == UnitQuaternion::identity();
+        skip(is_aligned, "turning back from principal axes: they are the body axes");
+        let absent: Vec<_> = Channel::ALL.into_iter().filter(|channel| !channels.contains(channel)).collect();
+        let names: Vec<_> = absent.iter().map(|channel| channel.row().name).collect();
+        skip(!absent.is_empty(), &format!("channels: {}", names.join(", ")));
+        self.skipped = skipped;
+        self
+    }
+
+    /// What `channels` read at `times` (ascending, s), propagated afresh from t = 0.
+    ///
+    /// # Errors
+    /// If the state ceases to be finite or a step cannot be made small enough.
+    pub fn sample(&self, channels: &[Channel], times: &[f64]) -> Result<BodySamples, PropagationError> {
+        let body = self.clone().watching(channels);
+        let (mut states, mut samples) = (States::default(), BodySamples::new(channels));
+        body.propagator()?.fill(times, &mut states)?;
+        Derivation::new(&body.problem, body.properties.body_from_principal).derive(times, &states, &mut samples);
+        Ok(samples)
+    }
+}
+
+fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
+    match channel {
+        Channel::AngularVelocity
+        | Channel::AngularMomentumBody
+        | Channel::RotationalEnergy
+        | Channel::TranslationalEnergy
+        | Channel::Position
+        | Channel::Velocity => false,
+        // They look at the attitude only through the loads.
+        Channel::TotalEnergy
+        | Channel::EnergyDrift
+        | Channel::PotentialEnergy
+        | Channel::MomentBody
+        | Channel::ForceWorld => !problem.loads.is_empty(),
+        Channel::Attitude
+        | Channel::AngularVelocityWorld
+        | Channel::AngularMomentumWorld
+        | Channel::MomentWorld
+        | Channel::MomentumDrift => true,
+    }
+}
+
+const fn needs_translation(channel: Channel) -> bool {
+    matches!(
+        channel,
+        Channel::Position
+            | Channel::Velocity
+            | Channel::TranslationalEnergy
+            | Channel::PotentialEnergy
+            | Channel::TotalEnergy
+            | Channel::EnergyDrift
+    )
+}
