@@ -16,3 +16,6 @@ pub mod telemetry;
 pub mod scenario;
 
 pub mod recording;
+
+#[cfg(feature = "cli")]
+pub mod cli;

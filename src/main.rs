@@ -1,2 +1,9 @@
-//! x
-fn main() {}
+//! The `polhode` program: parse, execute, exit.
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    polhode::cli::execute(polhode::cli::Arguments::parse())
+}

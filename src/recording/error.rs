@@ -2,6 +2,8 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use crate::propagation::PropagationError;
+
 /// A recording that cannot be written or read.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -52,6 +54,9 @@ pub enum RecordingError {
         /// The feature that brings it.
         feature: &'static str,
     },
+    /// The motion cannot be looked over to choose scales and camera.
+    #[error("cannot look the motion over: {0}")]
+    Preview(#[from] PropagationError),
     /// Something the format cannot hold.
     #[error("{path}: {rule}", path = path.display())]
     NotRepresentable {

@@ -1,8 +1,10 @@
 //! What a run looks like, decided once for all picture formats: scales, colours, camera, rate.
 
+mod preview;
+mod scale;
+
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use crate::scenario::Plan;
 use crate::telemetry::{BodySamples, Channel};
 
 /// How to draw a plan.
@@ -111,11 +113,5 @@ impl Picture {
     #[must_use]
     pub const fn draws(&self, index: u64) -> bool {
         index % self.stride == 0
-    }
-
-    /// Looks the run over at a few hundred times and chooses scales and camera.
-    #[must_use]
-    pub fn of(_plan: &Plan) -> Self {
-        todo!("scales from a preview run")
     }
 }

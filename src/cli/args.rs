@@ -1,0 +1,153 @@
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode list                                    what scenes there are
+  polhode run dzhanibekov                         recordings/dzhanibekov.mcap and .rrd
+  polhode run --all --out /tmp/all --force        every scene
+  polhode run my_scene.toml --format csv          a scene of your own, as a table
+  polhode run dzhanibekov --duration 30 --set body.0.angular_momentum_n_m_s='[0, 2, 0.1]'
+  polhode plan lagrange_top                       which method, why, and what is skipped
+  polhode inspect recordings/dzhanibekov.mcap     what is in a recording
+
+Exit codes: 0 done, 1 a check failed, 2 could not (usage, input, file).";
+
+/// Exact motions of rotating rigid bodies, recorded for Rerun and Foxglove.
+#[derive(Debug, Parser)]
+#[command(name = "polhode", version, after_help = EXAMPLES)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// List the scenes that come with the program.
+    List(ListArguments),
+    /// Run scenes, record them, measure their checks.
+    #[command(after_help = EXAMPLES)]
+    Run(RunArguments),
+    /// Show how a scene would be run: each body's path, its reason, and what is skipped.
+    Plan(PlanArguments),
+    /// Show what is in a recording (.mcap, .rrd, .csv).
+    Inspect(InspectArguments),
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ListArguments {
+    /// As JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct RunArguments {
+    /// Names of scenes that come with the program, or TOML files.
+    #[arg(required_unless_present = "all", conflicts_with = "all")]
+    pub scenes: Vec<String>,
+    /// Every scene that comes with the program.
+    #[arg(long)]
+    pub all: bool,
+    /// The folder that recordings go to; made if it is not there.
+    #[arg(long, value_name = "FOLDER", default_value = "recordings")]
+    pub out: PathBuf,
+    /// What to write.
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "mcap,rrd")]
+    pub format: Vec<FileFormat>,
+    /// Overwrite recordings that are there already.
+    #[arg(long)]
+    pub force: bool,
+    /// Results as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Print nothing but errors.
+    #[arg(long, short, conflicts_with = "json")]
+    pub quiet: bool,
+    #[command(flatten)]
+    pub overrides: Overrides,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct PlanArguments {
+    /// Names of scenes that come with the program, or TOML files.
+    #[arg(required = true)]
+    pub scenes: Vec<String>,
+    /// As JSON.
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub overrides: Overrides,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct InspectArguments {
+    /// The recording.
+    pub file: PathBuf,
+    /// As JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Keys of the scene to change for this run.
+#[derive(Debug, Args)]
+pub(super) struct Overrides {
+    /// Propagate by auto, `closed_form`, taylor, rk4 or dop853.
+    #[arg(long, value_name = "METHOD")]
+    pub method: Option<String>,
+    /// Attitude error to aim at over the whole run, rad.
+    #[arg(long, value_name = "RAD")]
+    pub tolerance: Option<String>,
+    /// Step of a method with a fixed step, s.
+    #[arg(long, value_name = "S")]
+    pub step: Option<String>,
+    /// How long, s.
+    #[arg(long, value_name = "S")]
+    pub duration: Option<String>,
+    /// Time between samples, s.
+    #[arg(long, value_name = "S")]
+    pub sample_every: Option<String>,
+    /// What to record, by name, in place of what the scene says.
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub channels: Vec<String>,
+    /// Any key of the scene, such as `body.0.angular_velocity_rad_s=[0, 5, 0.01]`.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+impl Overrides {
+    /// As assignments, in the order in which they are carried out.
+    pub fn assignments(&self) -> Vec<String> {
+        let keys = [
+            ("method", &self.method),
+            ("tolerance_rad", &self.tolerance),
+            ("step_s", &self.step),
+            ("duration_s", &self.duration),
+            ("sample_every_s", &self.sample_every),
+        ];
+        let given = keys.iter().filter_map(|(key, value)| value.as_ref().map(|value| format!("{key}={value}")));
+        let channels = (!self.channels.is_empty()).then(|| format!("channels={:?}", self.channels));
+        given.chain(channels).chain(self.set.iter().cloned()).collect()
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum FileFormat {
+    /// For Foxglove and Lichtblick, and to keep.
+    Mcap,
+    /// For Rerun.
+    Rrd,
+    /// A table with 17 digits.
+    Csv,
+}
+
+impl FileFormat {
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Mcap => "mcap",
+            Self::Rrd => "rrd",
+            Self::Csv => "csv",
+        }
+    }
+}

@@ -1,0 +1,46 @@
+use std::io;
+use std::path::Path;
+use std::process::ExitCode;
+
+use super::args::Command;
+use super::output::remark;
+use super::{Arguments, inspect, list, plan, run};
+use crate::scenario::{Scenario, ScenarioError};
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Outcome {
+    /// All is well.
+    Done,
+    /// A check failed.
+    Failed,
+    /// Something could not be done; it has been said.
+    Impossible,
+}
+
+/// Does what was asked, says so, and tells how it ended.
+#[must_use]
+pub fn execute(arguments: Arguments) -> ExitCode {
+    let outcome = match arguments.command {
+        Command::List(arguments) => list::execute(&arguments),
+        Command::Run(arguments) => run::execute(&arguments),
+        Command::Plan(arguments) => plan::execute(&arguments),
+        Command::Inspect(arguments) => inspect::execute(&arguments),
+    };
+    let outcome = outcome.unwrap_or_else(|error: io::Error| {
+        remark(&format!("error: cannot write to standard output: {error}"));
+        Outcome::Impossible
+    });
+    ExitCode::from(match outcome {
+        Outcome::Done => 0,
+        Outcome::Failed => 1,
+        Outcome::Impossible => 2,
+    })
+}
+
+/// The scene that `name` means: a TOML file, or one that comes with the program.
+pub(super) fn scenario(name: &str, assignments: &[String]) -> Result<Scenario, ScenarioError> {
+    let path = Path::new(name);
+    let is_file = path.extension().is_some_and(|extension| extension == "toml") || path.components().count() > 1;
+    if is_file { Scenario::read(path, assignments) } else { Scenario::named(name, assignments) }
+}

@@ -1,0 +1,28 @@
+use std::io;
+
+use serde_json::{Value, json};
+
+use super::args::ListArguments;
+use super::execute::Outcome;
+use super::output::{print, print_json, remark};
+use super::table::Table;
+use crate::scenario::{Scenario, library};
+
+/// Names and titles of the scenes that come with the program.
+pub fn execute(arguments: &ListArguments) -> io::Result<Outcome> {
+    let mut table = Table::default();
+    let mut values = Vec::new();
+    for name in library::names() {
+        let scenario = match Scenario::named(name, &[]) {
+            Ok(scenario) => scenario,
+            Err(error) => {
+                remark(&format!("error: {error}"));
+                return Ok(Outcome::Impossible);
+            }
+        };
+        table.row([name, scenario.title.as_str()]);
+        values.push(json!({ "name": name, "title": scenario.title, "summary": scenario.summary }));
+    }
+    if arguments.json { print_json(&Value::Array(values))? } else { print(&table.render(""))? }
+    Ok(Outcome::Done)
+}

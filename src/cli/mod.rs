@@ -1,0 +1,17 @@
+//! The program: asks, shows, exits.
+//!
+//! Results go to stdout, progress and remarks to stderr. Exit codes: 0 done, 1 a check failed, 2 could not.
+
+mod args;
+mod execute;
+mod inspect;
+mod list;
+mod output;
+mod plan;
+mod progress;
+mod report;
+mod run;
+mod table;
+
+pub use args::Arguments;
+pub use execute::execute;

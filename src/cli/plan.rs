@@ -1,0 +1,87 @@
+use std::io;
+
+use serde_json::{Value, json};
+
+use super::args::PlanArguments;
+use super::execute::{Outcome, scenario};
+use super::output::{print, print_json, remark};
+use super::report::sampling;
+use super::table::Table;
+use crate::scenario::{Plan, PlannedBody};
+
+/// Shows how scenes would be run.
+pub fn execute(arguments: &PlanArguments) -> io::Result<Outcome> {
+    let assignments = arguments.overrides.assignments();
+    let mut outcome = Outcome::Done;
+    let mut values = Vec::new();
+    for name in &arguments.scenes {
+        match scenario(name, &assignments).and_then(|scenario| Plan::new(&scenario)) {
+            Ok(plan) if arguments.json => values.push(as_json(&plan)),
+            Ok(plan) => print(&as_text(&plan))?,
+            Err(error) => {
+                remark(&format!("error: {error}"));
+                outcome = Outcome::Impossible;
+            }
+        }
+    }
+    if arguments.json {
+        print_json(&Value::Array(values))?;
+    }
+    Ok(outcome)
+}
+
+fn as_text(plan: &Plan) -> String {
+    let mut text = format!("{}: {}\n", plan.name, plan.title);
+    let mut table = Table::default();
+    table.row(["samples".to_owned(), sampling(&plan.grid)]);
+    for body in &plan.bodies {
+        table.row(["body".to_owned(), body.name.clone()]);
+        table.row(["  path".to_owned(), format!("{}: {}", body.path.name(), body.reason)]);
+        let [a, b, c]: [f64; 3] = body.properties.moments.vector().into();
+        table.row(["  moments".to_owned(), format!("{a}, {b}, {c} kg m²")]);
+        if let Some(mass) = body.properties.mass {
+            table.row(["  mass".to_owned(), format!("{mass} kg")]);
+        }
+        table.row(["  records".to_owned(), channels(body).join(", ")]);
+        for (index, skipped) in body.skipped.iter().enumerate() {
+            table.row([if index == 0 { "  skips" } else { "" }.to_owned(), skipped.clone()]);
+        }
+    }
+    for (index, event) in plan.events.iter().enumerate() {
+        let words = format!("{} s: {}: {}", event.time_s, plan.bodies[event.body].name, event.text);
+        table.row([if index == 0 { "events" } else { "" }.to_owned(), words]);
+    }
+    table.row(["checks".to_owned(), plan.checks.len().to_string()]);
+    text.push_str(&table.render("  "));
+    text
+}
+
+fn channels(body: &PlannedBody) -> Vec<&'static str> {
+    body.channels.iter().map(|channel| channel.row().name).collect()
+}
+
+fn as_json(plan: &Plan) -> Value {
+    let bodies: Vec<_> = plan
+        .bodies
+        .iter()
+        .map(|body| {
+            json!({
+                "name": body.name,
+                "path": body.path.name(),
+                "reason": body.reason,
+                "mass_kg": body.properties.mass,
+                "principal_moments_kg_m2": body.properties.moments.vector().as_slice(),
+                "channels": channels(body),
+                "skipped": body.skipped,
+            })
+        })
+        .collect();
+    json!({
+        "name": plan.name,
+        "title": plan.title,
+        "samples": plan.grid.len(),
+        "end_s": plan.grid.end(),
+        "bodies": bodies,
+        "checks": plan.checks.len(),
+    })
+}

@@ -1,0 +1,145 @@
+use std::path::Path;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use super::table::{Table, grouped};
+use crate::propagation::Effort;
+use crate::recording::Finished;
+use crate::scenario::{CheckOutcome, Grid, Plan};
+
+/// What came of running one scene.
+pub struct Report {
+    pub plan: Plan,
+    pub files: Vec<Finished>,
+    pub effort: Effort,
+    pub wall: Duration,
+    pub checks: Vec<CheckOutcome>,
+}
+
+impl Report {
+    pub fn passed(&self) -> bool {
+        self.checks.iter().all(|check| check.passed)
+    }
+
+    /// An aligned summary.
+    pub fn as_text(&self) -> String {
+        let mut table = Table::default();
+        for body in &self.plan.bodies {
+            table.row([body.name.clone(), format!("{}: {}", body.path.name(), body.reason)]);
+        }
+        table.row(["samples".to_owned(), sampling(&self.plan.grid)]);
+        for (index, file) in self.files.iter().enumerate() {
+            let label = if index == 0 { "files" } else { "" };
+            table.row([label.to_owned(), format!("{}  {}", shown(&file.path), size(file.bytes))]);
+        }
+        table.row(["wall time".to_owned(), self.time()]);
+        let text = format!("{}: {}\n{}", self.plan.name, self.plan.title, table.render("  "));
+        text + &self.checks_as_text()
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "for people")]
+    fn time(&self) -> String {
+        let seconds = self.wall.as_secs_f64();
+        let each = seconds * 1e9 / self.plan.grid.len() as f64;
+        let Effort { evaluations, steps, rejections } = self.effort;
+        let work = if steps == 0 {
+            format!("{} evaluations", grouped(evaluations))
+        } else {
+            format!("{} evaluations, {} steps, {} rejected", grouped(evaluations), grouped(steps), grouped(rejections))
+        };
+        format!("{seconds:.3} s, {each:.0} ns a sample; {work}")
+    }
+
+    fn checks_as_text(&self) -> String {
+        if self.checks.is_empty() {
+            return String::new();
+        }
+        let mut table = Table::default();
+        table.row(["checks", "", "measured", "expected", "tolerance"]);
+        for check in &self.checks {
+            let verdict = if check.passed { "ok" } else { "FAILED" };
+            table.row([
+                verdict.to_owned(),
+                check.name.clone(),
+                number(check.measured),
+                number(check.expected),
+                format!("{:e} {}", check.tolerance, check.unit),
+            ]);
+        }
+        table.render("  ")
+    }
+
+    pub fn as_json(&self) -> Value {
+        let plan = &self.plan;
+        let bodies: Vec<_> = plan
+            .bodies
+            .iter()
+            .map(|body| json!({ "name": body.name, "path": body.path.name(), "reason": body.reason }))
+            .collect();
+        let files: Vec<_> =
+            self.files.iter().map(|file| json!({ "path": shown(&file.path), "bytes": file.bytes })).collect();
+        let check = |check: &CheckOutcome| {
+            json!({
+                "name": check.name,
+                "measured": check.measured,
+                "expected": check.expected,
+                "tolerance": check.tolerance,
+                "unit": check.unit,
+                "passed": check.passed,
+            })
+        };
+        json!({
+            "name": plan.name,
+            "title": plan.title,
+            "bodies": bodies,
+            "samples": plan.grid.len(),
+            "end_s": plan.grid.end(),
+            "files": files,
+            "wall_s": self.wall.as_secs_f64(),
+            "evaluations": self.effort.evaluations,
+            "steps": self.effort.steps,
+            "rejections": self.effort.rejections,
+            "checks": self.checks.iter().map(check).collect::<Vec<_>>(),
+            "passed": self.passed(),
+        })
+    }
+}
+
+/// How many samples, to when.
+pub fn sampling(grid: &Grid) -> String {
+    let count = grouped(grid.len());
+    match grid {
+        Grid::Uniform { every_s, .. } => format!("{count}, every {every_s} s to {} s", plain(grid.end())),
+        Grid::List(_) => format!("{count}, at listed times to {} s", plain(grid.end())),
+    }
+}
+
+/// A time without the noise of its making: 0.3, not 0.30000000000000004.
+fn plain(time: f64) -> String {
+    let text = format!("{time:.9}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Fifteen digits at most, as few as will do.
+fn number(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let rounded: f64 = format!("{value:.14e}").parse().unwrap_or(value);
+    if (1e-4..1e9).contains(&value.abs()) { rounded.to_string() } else { format!("{value:.3e}") }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "for people")]
+fn size(bytes: u64) -> String {
+    match bytes {
+        0..1_000 => format!("{bytes} B"),
+        1_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
+        1_000_000..1_000_000_000 => format!("{:.1} MB", bytes as f64 / 1e6),
+        _ => format!("{:.1} GB", bytes as f64 / 1e9),
+    }
+}
+
+fn shown(path: &Path) -> String {
+    path.display().to_string()
+}

@@ -1,0 +1,110 @@
+use std::io;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use serde_json::{Value, json};
+use thiserror::Error;
+
+use super::args::{FileFormat, RunArguments};
+use super::execute::{Outcome, scenario};
+use super::output::{print, print_json, remark};
+use super::progress::Progress;
+use super::report::Report;
+use crate::propagation::PropagationError;
+use crate::recording::{Recorder, RecordingError};
+use crate::scenario::{Plan, ScenarioError, library};
+
+/// Why a scene was not run to its end.
+#[derive(Debug, Error)]
+enum RunError {
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
+    #[error("cannot measure the checks: {0}")]
+    Checks(#[from] PropagationError),
+    #[error("cannot make the folder {path}: {source}", path = path.display())]
+    Folder { path: PathBuf, source: io::Error },
+    #[error("two scenes are called {0:?}: their recordings would have one name")]
+    SameName(String),
+}
+
+/// Runs scenes side by side and reports in the order in which they were asked for.
+pub fn execute(arguments: &RunArguments) -> io::Result<Outcome> {
+    let plans = match plans(arguments) {
+        Ok(plans) => plans,
+        Err(error) => return Ok(impossible(&error)),
+    };
+    let progress = Progress::new(!arguments.quiet && !arguments.json);
+    let record = |plan: Plan| (plan.name.clone(), record(plan, arguments, &progress));
+    let results: Vec<_> = plans.into_par_iter().map(record).collect();
+    let mut outcome = Outcome::Done;
+    let mut values = Vec::new();
+    for (index, (name, result)) in results.into_iter().enumerate() {
+        match result {
+            Ok(report) => {
+                outcome = outcome.max(if report.passed() { Outcome::Done } else { Outcome::Failed });
+                if arguments.json {
+                    values.push(report.as_json());
+                } else if !arguments.quiet {
+                    print(&format!("{}{}", if index == 0 { "" } else { "\n" }, report.as_text()))?;
+                }
+                for check in report.checks.iter().filter(|check| !check.passed) {
+                    remark(&format!("{}: check failed: {}", report.plan.name, check.name));
+                }
+            }
+            Err(error) => {
+                outcome = outcome.max(impossible(&error));
+                values.push(json!({ "name": name, "error": error.to_string() }));
+            }
+        }
+    }
+    if arguments.json {
+        print_json(&Value::Array(values))?;
+    }
+    Ok(outcome)
+}
+
+fn impossible(error: &RunError) -> Outcome {
+    remark(&format!("error: {error}"));
+    Outcome::Impossible
+}
+
+/// Every scene planned before any is run: a mistake in the last must not cost the time of the first.
+fn plans(arguments: &RunArguments) -> Result<Vec<Plan>, RunError> {
+    let assignments = arguments.overrides.assignments();
+    let names: Vec<String> =
+        if arguments.all { library::names().map(str::to_owned).collect() } else { arguments.scenes.clone() };
+    let mut plans: Vec<Plan> = Vec::new();
+    for name in &names {
+        let plan = Plan::new(&scenario(name, &assignments)?)?;
+        if plans.iter().any(|other| other.name == plan.name) {
+            return Err(RunError::SameName(plan.name));
+        }
+        plans.push(plan);
+    }
+    std::fs::create_dir_all(&arguments.out)
+        .map_err(|source| RunError::Folder { path: arguments.out.clone(), source })?;
+    Ok(plans)
+}
+
+fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<Report, RunError> {
+    let started = Instant::now();
+    let bar = progress.bar(&plan.name, plan.grid.len());
+    let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));
+    let paths: Vec<PathBuf> = arguments.format.iter().map(path).collect();
+    let mut recorder = Recorder::create(&plan, &paths, arguments.force)?;
+    let mut run = plan.start()?;
+    while let Some(samples) = run.next_batch()? {
+        recorder.write(samples)?;
+        bar.inc(samples.len() as u64);
+    }
+    let effort = run.effort();
+    let files = recorder.finish()?;
+    bar.finish_and_clear();
+    let wall = started.elapsed();
+    let checks = plan.measure_checks()?;
+    drop(run);
+    Ok(Report { plan, files, effort, wall, checks })
+}

@@ -1,0 +1,113 @@
+use nalgebra::Vector3;
+
+use super::{Arrow, BodyPicture, Picture, Quantity, scale};
+use crate::propagation::PropagationError;
+use crate::scenario::{Plan, PlannedBody};
+use crate::telemetry::{BodySamples, Channel};
+
+/// At how many times the run is looked over.
+const LOOKS: u64 = 400;
+/// Moving parts are drawn no more often than this, Hz of simulated time: more than the eye and viewers follow.
+const PICTURE_RATE: f64 = 60.0;
+/// Arrows that differ in length by quantity can be told apart where they point the same way, as ω and L mostly do.
+const QUANTITIES: [(Quantity, f64, [u8; 3]); 4] = [
+    (Quantity::AngularVelocity, 1.7, [213, 94, 0]),
+    (Quantity::AngularMomentum, 2.1, [0, 114, 178]),
+    (Quantity::Moment, 1.4, [0, 158, 115]),
+    (Quantity::Force, 1.4, [204, 121, 167]),
+];
+/// Bodies in the order of the scene; the first is neutral so that the arrows stand out.
+const BODY_COLOURS: [[u8; 4]; 4] =
+    [[196, 200, 206, 255], [86, 180, 233, 255], [230, 159, 0, 255], [240, 228, 66, 255]];
+
+/// What a look over the run shows of one body.
+struct Look {
+    /// Largest magnitude of each of [`QUANTITIES`].
+    largest: [f64; 4],
+    /// Corners of the box that the reference point stays in.
+    lowest: Vector3<f64>,
+    highest: Vector3<f64>,
+    extent: f64,
+}
+
+impl Picture {
+    /// Looks the run over at a few hundred times and chooses scales and camera.
+    ///
+    /// # Errors
+    /// If the motion cannot be propagated.
+    pub fn of(plan: &Plan) -> Result<Self, PropagationError> {
+        let last = plan.grid.len() - 1;
+        let looks = LOOKS.min(last).max(1);
+        let mut times: Vec<f64> = (0..=looks).map(|look| plan.grid.time(last * look / looks)).collect();
+        times.dedup();
+        let looks = plan.bodies.iter().map(|body| look(body, &times)).collect::<Result<Vec<_>, _>>()?;
+        let (eye, target) = camera(&looks);
+        let bodies = plan.bodies.iter().zip(&looks).zip(BODY_COLOURS.iter().cycle());
+        let bodies = bodies.map(|((body, look), colour)| draw(body, look, *colour)).collect();
+        Ok(Self { stride: stride(plan.grid.mean_interval()), eye, target, bodies })
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1 … 1e9")]
+fn stride(interval: f64) -> u64 {
+    // The hair above keeps 1/600 s from being a little more than a tenth of 1/60 s.
+    (1.0 / PICTURE_RATE / interval * (1.0 + 1e-9)).floor().clamp(1.0, 1e9) as u64
+}
+
+fn look(body: &PlannedBody, times: &[f64]) -> Result<Look, PropagationError> {
+    let channels = QUANTITIES.map(|(quantity, ..)| quantity.channels().0);
+    let mut watched = channels.to_vec();
+    watched.push(Channel::Position);
+    watched.sort_unstable();
+    let samples = body.sample(&watched, times)?;
+    let vectors = |channel: Channel| vectors(&samples, channel);
+    let largest = channels.map(|channel| vectors(channel).map(|vector| vector.norm()).fold(0.0, f64::max));
+    let start = body.problem.initial.position;
+    Ok(Look {
+        largest,
+        lowest: vectors(Channel::Position).fold(start, |lowest, position| lowest.inf(&position)),
+        highest: vectors(Channel::Position).fold(start, |highest, position| highest.sup(&position)),
+        extent: body.surfaces.iter().map(crate::body::Surface::extent).fold(0.0, f64::max),
+    })
+}
+
+fn vectors(samples: &BodySamples, channel: Channel) -> impl Iterator<Item = Vector3<f64>> {
+    let columns = samples.channel(channel).unwrap_or_default();
+    let count = columns.first().map_or(0, Vec::len);
+    (0..count).map(move |index| Vector3::from_fn(|row, _| columns[row][index]))
+}
+
+fn draw(body: &PlannedBody, look: &Look, colour: [u8; 4]) -> BodyPicture {
+    let arrows = QUANTITIES.iter().zip(look.largest).filter(|(_, largest)| *largest > 0.0 && largest.is_finite());
+    let arrow = |((quantity, length, colour), largest): (&(Quantity, f64, [u8; 3]), f64)| {
+        let (label, metres_per_unit) = scale::choose(*quantity, length * look.extent, largest);
+        Arrow { quantity: *quantity, label, colour: *colour, metres_per_unit }
+    };
+    BodyPicture {
+        colour,
+        extent: look.extent,
+        arrows: arrows.map(arrow).collect(),
+        spin_axis: spin_axis(body),
+        position: body.problem.initial.position,
+    }
+}
+
+/// The principal axis nearest to ω at t = 0, pointing its way; the third of a body at rest.
+fn spin_axis(body: &PlannedBody) -> Vector3<f64> {
+    let omega = body.problem.initial.angular_velocity.in_body();
+    let nearest = if omega == Vector3::zeros() { 2 } else { omega.iamax() };
+    let sign = if omega[nearest] < 0.0 { -1.0 } else { 1.0 };
+    body.properties.body_from_principal * (sign * Vector3::ith(nearest, 1.0))
+}
+
+/// Where the camera stands and looks so that every body with its arrows stays in the picture.
+fn camera(looks: &[Look]) -> (Vector3<f64>, Vector3<f64>) {
+    let reach = |look: &Look| Vector3::repeat(1.9 * look.extent);
+    let lowest = looks.iter().map(|look| look.lowest - reach(look)).reduce(|a, b| a.inf(&b)).unwrap_or_default();
+    let highest = looks.iter().map(|look| look.highest + reach(look)).reduce(|a, b| a.sup(&b)).unwrap_or_default();
+    let target = 0.5 * (lowest + highest);
+    let radius = 0.5 * (highest - lowest).norm();
+    // From the front, a little to the right and above: x comes forward, y goes right, z up.
+    let direction = Vector3::new(0.78, -0.52, 0.36).normalize();
+    (target + 1.55 * radius * direction, target)
+}
