@@ -1,1 +1,6 @@
 #![allow(missing_docs)]
+
+mod equivalence;
+#[cfg(feature = "serde")]
+mod mesh_files;
+mod particles;

@@ -3,6 +3,8 @@
 mod draw;
 mod primitives;
 mod revolution;
+#[cfg(test)]
+mod tests;
 
 use nalgebra::Vector3;
 

@@ -22,7 +22,7 @@ impl Surface {
             Shape::Capsule { radius, length } => capsule(radius, length),
             Shape::Torus { major_radius, minor_radius } => {
                 let mut surface = Surface::default();
-                surface.sweep(&whole_circle(major_radius, minor_radius, AROUND / 2), AROUND);
+                surface.sweep(&whole_circle(major_radius, minor_radius, AROUND / 4 * 3), AROUND);
                 surface
             }
         }
