@@ -5,6 +5,9 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 /// Moments closer than this, relative to the largest, are one moment: the diagonalisation cannot tell them apart.
 const SAME_MOMENT: f64 = 4.0 * f64::EPSILON;
 
+/// Half an angle, rad, that turns no vector by more than its rounding: what assembling a body leaves of an exact zero.
+const NO_TURN: f64 = f64::EPSILON;
+
 /// Three or four sweeps do; the rest is for tensors that are not positive, which are refused later.
 const MOST_SWEEPS: usize = 32;
 
@@ -35,8 +38,12 @@ pub(super) fn principal_axes(tensor: &Matrix3<f64>) -> (Vector3<f64>, UnitQuater
     let (mut moments, mut axes) = nearest_order(&scaled.diagonal(), &axes);
     merge_equal_moments(&mut moments, &mut axes);
     let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+    let moments = moments.map(|moment| libm::scalbn(moment, exponent));
+    if rotation.imag().norm() <= NO_TURN {
+        return (moments, UnitQuaternion::identity());
+    }
     // The conversion leaves a rounding error in the length.
-    (moments.map(|moment| libm::scalbn(moment, exponent)), UnitQuaternion::new_normalize(rotation.into_inner()))
+    (moments, UnitQuaternion::new_normalize(rotation.into_inner()))
 }
 
 /// One Jacobi rotation in the plane of axes `p` and `q`; false if their product of inertia is rounding already.

@@ -150,6 +150,8 @@ fn two_cylinders_make_the_t_handle_worked_by_hand() {
     let stem = Solid::from_mass(Shape::Cylinder { radius: 0.01, length: 0.06 }, 0.1).unwrap();
     let stem = stem.turned(UnitQuaternion::from_axis_angle(&Vector3::x_axis(), FRAC_PI_2));
     let handle = mass_properties_of(&[bar, stem.at(Vector3::new(0.0, 0.04, 0.0))]).unwrap();
+    // Its own axes are principal axes, though turning the cylinders by π/2 rounds.
+    assert_eq!(handle.body_from_principal, UnitQuaternion::identity());
     // Bar (along x): m r²/2 = 1e-5 and m (3 r² + l²)/12 = 206e-6/1.2. Stem (along y): 5e-6 and 3.25e-5. Steiner with
     // the reduced mass 1/15 kg over 0.04 m: 128e-6/1.2. Sums, in 1e-6/1.2 kg m²: 12 + 39 + 128, 206 + 6, 206 + 39 + 128.
     let moments = [179.0, 212.0, 373.0].map(|count| count * 1e-6 / 1.2);

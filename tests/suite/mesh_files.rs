@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use nalgebra::Vector3;
 use polhode::body::{BodyError, MassProperties, Shape, Solid, TriangleMesh, mass_properties_of};
+use proptest::prelude::*;
 use tempfile::TempDir;
 
 /// Exact in single precision, in the files' unit.
@@ -161,5 +162,29 @@ fn damaged_and_hostile_files_are_refused_by_name() {
         let endless = folder.path().join("endless.stl");
         std::os::unix::fs::symlink("/dev/zero", &endless).unwrap();
         assert!(TriangleMesh::read(&endless, 1.0).unwrap_err().to_string().contains("larger than"));
+    }
+}
+
+proptest! {
+    #[test]
+    fn files_with_bytes_changed_or_cut_never_panic(
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..8),
+        kept in any::<prop::sample::Index>(),
+    ) {
+        let triangles = triangles();
+        let originals =
+            [("a.stl", text_stl(&triangles, "solid")), ("b.stl", binary_stl(&triangles, "box")), ("c.obj", obj(&FACES))];
+        for (name, original) in originals {
+            let mut changed = original.clone();
+            for (place, value) in &changes {
+                changed[place.index(original.len())] = *value;
+            }
+            for bytes in [&changed[..], &changed[..kept.index(original.len())]] {
+                if let Ok(mesh) = read(name, bytes) {
+                    // Whether it is still a body does not matter, only that the answer is one.
+                    drop(mesh.mass_properties(DENSITY));
+                }
+            }
+        }
     }
 }

@@ -93,6 +93,18 @@ impl Solid {
 ///
 /// Where two solids overlap their densities add; a hole takes away what it is cut from.
 ///
+/// ```
+/// use nalgebra::Vector3;
+/// use polhode::body::{Shape, Solid, mass_properties_of};
+///
+/// let ball = Solid::from_mass(Shape::Sphere { radius: 0.05 }, 2.0)?;
+/// let dumbbell = [ball.at(Vector3::x() * 0.25), ball.at(Vector3::x() * -0.25)];
+/// let moments = mass_properties_of(&dumbbell)?.moments.vector();
+/// assert!((moments.x - 4.0 * 0.4 * 0.05 * 0.05).abs() < 1e-16);
+/// assert!((moments.y - moments.x - 4.0 * 0.25 * 0.25).abs() < 1e-15);
+/// # Ok::<(), polhode::body::BodyError>(())
+/// ```
+///
 /// # Errors
 /// If there is none, one is not valid, the total mass is not positive, or holes take more than there is.
 pub fn mass_properties_of(solids: &[Solid]) -> Result<MassProperties, BodyError> {
