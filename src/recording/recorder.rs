@@ -1,0 +1,93 @@
+use std::path::{Path, PathBuf};
+
+use super::csv_file::CsvFile;
+use super::format::Format;
+use super::mcap_file::McapFile;
+use super::picture::Picture;
+use super::rerun_file::RerunFile;
+use super::{PartFile, RecordingError, Sink};
+use crate::scenario::Plan;
+use crate::telemetry::Samples;
+
+/// The recordings of one run, all or none: what is written goes to each, and the names are given together at the end.
+///
+/// Dropped before [`Self::finish`], it leaves `.part` files, readable as far as the run got.
+pub struct Recorder {
+    sinks: Vec<Box<dyn Sink>>,
+}
+
+/// A recording that is whole, durable and stands under its name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finished {
+    /// Its name.
+    pub path: PathBuf,
+    /// Its size.
+    pub bytes: u64,
+}
+
+impl Recorder {
+    /// Opens a recording of `plan` at each path: `.mcap`, `.rrd` or `.csv`. All files are created, as `NAME.part`,
+    /// before the first is written to.
+    ///
+    /// # Errors
+    /// If a path has another extension, is named twice, exists (unless `overwrite`), is being written by another run,
+    /// or cannot be created; if this build leaves the format out; if the motion cannot be looked over for a picture.
+    pub fn create(plan: &Plan, paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Self, RecordingError> {
+        let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
+        refuse_duplicates(&paths)?;
+        let formats = paths.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
+        let files = paths.iter().map(|path| PartFile::create(path, overwrite)).collect::<Result<Vec<_>, _>>()?;
+        let mut picture = None;
+        let open = |(format, file)| -> Result<Box<dyn Sink>, RecordingError> {
+            Ok(match format {
+                Format::Mcap => Box::new(McapFile::create(plan, found_once(&mut picture, plan)?, file)?),
+                Format::Rrd => Box::new(RerunFile::create(plan, found_once(&mut picture, plan)?, file)?),
+                Format::Csv => Box::new(CsvFile::create(plan, file)?),
+            })
+        };
+        let sinks = formats.into_iter().zip(files).map(open).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { sinks })
+    }
+
+    /// Adds one batch to every recording.
+    ///
+    /// # Errors
+    /// If one of them cannot take it; the recorder is then of no further use.
+    pub fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
+        self.sinks.iter_mut().try_for_each(|sink| sink.write(samples))
+    }
+
+    /// Completes every recording, then gives each its name.
+    ///
+    /// # Errors
+    /// If one cannot be completed or brought to disk: then none gets its name, and the `.part` files stay. Giving the
+    /// names comes last; if one is refused, those before it have theirs.
+    pub fn finish(self) -> Result<Vec<Finished>, RecordingError> {
+        let mut files = self.sinks.into_iter().map(Sink::finish).collect::<Result<Vec<_>, _>>()?;
+        files.iter_mut().try_for_each(PartFile::sync)?;
+        files.into_iter().map(publish).collect()
+    }
+}
+
+/// Scales and camera: they cost a preview of the run, so only formats that draw ask for them.
+fn found_once<'a>(picture: &'a mut Option<Picture>, plan: &Plan) -> Result<&'a Picture, RecordingError> {
+    match picture {
+        Some(picture) => Ok(picture),
+        none => Ok(none.insert(Picture::of(plan)?)),
+    }
+}
+
+fn publish(file: PartFile) -> Result<Finished, RecordingError> {
+    let finished = Finished { path: file.path().into(), bytes: file.bytes() };
+    file.publish()?;
+    Ok(finished)
+}
+
+fn refuse_duplicates(paths: &[&Path]) -> Result<(), RecordingError> {
+    for (index, path) in paths.iter().enumerate() {
+        if paths[..index].contains(path) {
+            return Err(RecordingError::NotRepresentable { path: path.into(), rule: "named twice".into() });
+        }
+    }
+    Ok(())
+}
