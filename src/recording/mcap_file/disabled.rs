@@ -1,0 +1,43 @@
+use std::path::Path;
+
+use crate::recording::picture::Picture;
+use crate::recording::{Contents, PartFile, RecordingError, Sink};
+use crate::scenario::Plan;
+use crate::telemetry::Samples;
+
+/// The format that this build leaves out: there is no value of this type.
+#[derive(Debug)]
+pub enum McapFile {}
+
+impl McapFile {
+    /// Refuses.
+    ///
+    /// # Errors
+    /// Always [`RecordingError::FormatAbsent`].
+    #[expect(clippy::needless_pass_by_value, reason = "the same interface as with the feature")]
+    pub fn create(_plan: &Plan, _picture: &Picture, file: PartFile) -> Result<Self, RecordingError> {
+        Err(absent(file.path()))
+    }
+}
+
+impl Sink for McapFile {
+    fn write(&mut self, _samples: &Samples) -> Result<(), RecordingError> {
+        match *self {}
+    }
+
+    fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
+        match *self {}
+    }
+}
+
+/// Refuses.
+///
+/// # Errors
+/// Always [`RecordingError::FormatAbsent`].
+pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
+    Err(absent(path))
+}
+
+fn absent(path: &Path) -> RecordingError {
+    RecordingError::FormatAbsent { path: path.into(), feature: "mcap" }
+}

@@ -1,0 +1,49 @@
+use std::collections::BTreeMap;
+use std::vec::IntoIter;
+
+use prost::Message;
+
+use super::foxglove::{LOG, Log, Timestamp};
+use super::output::{Output, Topic};
+use crate::recording::RecordingError;
+use crate::scenario::{Plan, nanoseconds};
+
+/// What happens in the run, in words, on `/log`.
+#[derive(Debug)]
+pub(super) struct EventLog {
+    topic: Topic,
+    next: Option<(i64, Log)>,
+    later: IntoIter<(i64, Log)>,
+}
+
+impl EventLog {
+    /// The start, at the time of the first sample or event, and the plan's events.
+    pub fn new(plan: &Plan, output: &mut Output) -> Result<Self, RecordingError> {
+        let events = plan.events.iter().map(|event| {
+            let body = plan.bodies.get(event.body).map_or("", |body| &body.name);
+            entry(nanoseconds(event.time_s), body, &event.text)
+        });
+        let mut entries: Vec<_> = events.collect();
+        entries.sort_by_key(|(stamp, _)| *stamp);
+        let first_sample = nanoseconds(plan.grid.time(0));
+        let start = entries.first().map_or(first_sample, |(stamp, _)| first_sample.min(*stamp));
+        entries.insert(0, entry(start, &plan.name, &plan.title));
+        let mut later = entries.into_iter();
+        let topic = output.topic("/log", LOG, &BTreeMap::new())?;
+        Ok(Self { topic, next: later.next(), later })
+    }
+
+    /// Tells what has happened until `stamp_ns`, that instant included.
+    pub fn tell_until(&mut self, stamp_ns: i64, output: &mut Output) -> Result<(), RecordingError> {
+        while let Some((stamp, log)) = self.next.take_if(|(stamp, _)| *stamp <= stamp_ns) {
+            output.send(&mut self.topic, stamp, &log.encode_to_vec())?;
+            self.next = self.later.next();
+        }
+        Ok(())
+    }
+}
+
+fn entry(stamp_ns: i64, name: &str, message: &str) -> (i64, Log) {
+    let timestamp = Some(Timestamp::of(stamp_ns));
+    (stamp_ns, Log { timestamp, level: Log::INFO, message: message.into(), name: name.into() })
+}

@@ -1,0 +1,108 @@
+//! `polhode.BodyState`: one message a sample and body, every number an f64. Written by hand, as it is nearly all of the
+//! file and all of the time; a test holds the bytes against those of a derived encoder.
+
+use prost::Message;
+use prost::encoding::{WireType, encode_key, encode_varint, message};
+
+use super::descriptor::{FieldDescriptor, FileDescriptor, FileDescriptorSet, MessageDescriptor};
+use super::foxglove::Timestamp;
+use crate::telemetry::Channel;
+
+/// Full name of the message.
+pub(super) const NAME: &str = "polhode.BodyState";
+/// Field of the exact time in s.
+const TIME: u32 = 1;
+/// Field of the time in whole ns, as `google.protobuf.Timestamp`: what the message is stamped with.
+const TIMESTAMP: u32 = 2;
+/// Field of the first channel; the others follow in the order of [`Channel`], which only ever grows at its end.
+const FIRST_CHANNEL: u32 = 3;
+
+/// Field of `channel`.
+fn field_of(channel: Channel) -> u32 {
+    FIRST_CHANNEL + channel as u32
+}
+
+/// Lays out messages for one body's channels.
+#[derive(Debug)]
+pub(super) struct StateEncoder {
+    /// What comes before each column's number: its key, after the key and length of the channel where one begins.
+    keys: Vec<Vec<u8>>,
+}
+
+impl StateEncoder {
+    pub fn new(channels: &[Channel]) -> Self {
+        Self { keys: channels.iter().flat_map(|channel| keys_of(*channel)).collect() }
+    }
+
+    /// Puts sample `index` into `message`. All numbers are written, zeros too: −0 would not come back.
+    pub fn encode(&self, time: (f64, i64), columns: &[Vec<f64>], index: usize, message: &mut Vec<u8>) {
+        let (time_s, stamp_ns) = time;
+        message.clear();
+        encode_key(TIME, WireType::SixtyFourBit, message);
+        message.extend_from_slice(&time_s.to_le_bytes());
+        message::encode(TIMESTAMP, &Timestamp::of(stamp_ns), message);
+        for (key, column) in self.keys.iter().zip(columns) {
+            message.extend_from_slice(key);
+            message.extend_from_slice(&column[index].to_le_bytes());
+        }
+    }
+}
+
+fn keys_of(channel: Channel) -> Vec<Vec<u8>> {
+    let width = channel.width();
+    let mut keys = vec![Vec::new(); width];
+    if width == 1 {
+        encode_key(field_of(channel), WireType::SixtyFourBit, &mut keys[0]);
+        return keys;
+    }
+    encode_key(field_of(channel), WireType::LengthDelimited, &mut keys[0]);
+    // Each number of the sub-message: one byte of key, eight of f64.
+    encode_varint(9 * width as u64, &mut keys[0]);
+    for (key, component) in keys.iter_mut().zip(1..) {
+        encode_key(component, WireType::SixtyFourBit, key);
+    }
+    keys
+}
+
+/// The `FileDescriptorSet` of [`NAME`], with everything it refers to.
+pub(super) fn descriptor() -> Vec<u8> {
+    let timestamp = FileDescriptor {
+        name: "google/protobuf/timestamp.proto".into(),
+        package: "google.protobuf".into(),
+        message_type: vec![
+            MessageDescriptor::new("Timestamp")
+                .with(FieldDescriptor::int64("seconds", 1))
+                .with(FieldDescriptor::int32("nanos", 2)),
+        ],
+        syntax: "proto3".into(),
+        ..FileDescriptor::default()
+    };
+    let polhode = FileDescriptor {
+        name: "polhode.proto".into(),
+        package: "polhode".into(),
+        dependency: vec![timestamp.name.clone()],
+        message_type: vec![body_state(), tuple("Quaternion", "wxyz"), tuple("Vector3", "xyz")],
+        syntax: "proto3".into(),
+    };
+    FileDescriptorSet { file: vec![timestamp, polhode] }.encode_to_vec()
+}
+
+fn body_state() -> MessageDescriptor {
+    let start = MessageDescriptor::new("BodyState")
+        .with(FieldDescriptor::double("time_s", TIME.cast_signed()))
+        .with(FieldDescriptor::message("timestamp", TIMESTAMP.cast_signed(), ".google.protobuf.Timestamp"));
+    Channel::ALL.into_iter().fold(start, |descriptor, channel| {
+        let (name, number) = (channel.row().name, field_of(channel).cast_signed());
+        match channel.width() {
+            1 => descriptor.with_optional(FieldDescriptor::double(name, number)),
+            3 => descriptor.with(FieldDescriptor::message(name, number, ".polhode.Vector3")),
+            _ => descriptor.with(FieldDescriptor::message(name, number, ".polhode.Quaternion")),
+        }
+    })
+}
+
+fn tuple(name: &str, components: &str) -> MessageDescriptor {
+    components.chars().zip(1..).fold(MessageDescriptor::new(name), |descriptor, (component, number)| {
+        descriptor.with(FieldDescriptor::double(&component.to_string(), number))
+    })
+}
