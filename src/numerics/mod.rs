@@ -1,3 +1,15 @@
 //! Mathematics without bodies in it: elliptic functions, rotation maps, double-double, series.
 
+mod compensated;
+mod double_double;
+mod elementary;
+mod elliptic;
 pub mod so3;
+mod theta;
+mod turn;
+
+pub use compensated::Compensated;
+pub use double_double::{DoubleDouble, two_prod, two_sum};
+pub use elliptic::{carlson_rf, complete_k};
+pub use theta::{FlipSum, NomeSeries, Theta, ThetaPair};
+pub use turn::{Phase, Turn};

@@ -1,6 +1,17 @@
 //! Rotation maps.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+
+/// The rotation by |φ| rad about φ: exp(φ*), as a quaternion that turns the same way.
+///
+/// Right to rounding for any length of φ, zero included.
+#[must_use]
+pub fn exp(rotation_vector: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let half = 0.5 * rotation_vector.norm();
+    // sin(h)/h by its first terms where h² is lost against 1: no 0/0.
+    let scale = if half < 1e-8 { 0.5 } else { 0.5 * libm::sin(half) / half };
+    UnitQuaternion::new_unchecked(Quaternion::from_parts(libm::cos(half), rotation_vector * scale))
+}
 
 /// ω*, the matrix with ω* r = ω × r for every r; a rotation that turns at ω (world axes) has Ṙ = ω* R.
 #[must_use]

@@ -1,0 +1,148 @@
+use super::frame::Frame;
+use super::invariants::{Polhode, Start};
+use super::quaternion::ExactQuaternion;
+use super::separatrix::Separatrix;
+use super::symmetric::Symmetric;
+use super::tri_axial::{Nome, TriAxial};
+use super::uniform::Uniform;
+use crate::dynamics::Problem;
+use crate::numerics::{DoubleDouble, FlipSum, NomeSeries};
+use crate::propagation::ballistic::Ballistic;
+use crate::propagation::{Effort, PropagationError, Propagator, States};
+
+/// The torque-free motion, exactly: any principal moments, any ω, any time, at the cost of one evaluation a sample.
+///
+/// Inputs are taken as exact, the quaternion normalised beyond its last bit. Attitudes are then within about 1e-15 rad and ω within about
+/// 1e-15 of its size, at any time. The quaternion keeps the sign of the start and follows the motion without jumps of sign.
+#[derive(Debug, Clone)]
+pub struct FreeRotation {
+    branch: Branch,
+    translation: Option<Ballistic>,
+    wants_attitude: bool,
+    last_time: f64,
+    evaluations: u64,
+}
+
+/// The forms of the solution, each the limit of its neighbours.
+#[derive(Debug, Clone, Copy)]
+enum Branch {
+    Uniform(Uniform),
+    Symmetric(Symmetric),
+    Series(TriAxial<NomeSeries>),
+    Flips(TriAxial<FlipSum>),
+    Separatrix(Separatrix),
+}
+
+impl FreeRotation {
+    /// Smallest ratio of two moments for which no exponent over- or underflows.
+    pub const MOMENT_RATIO: f64 = 1e-24;
+
+    /// A component of ω below this fraction of the largest counts as zero: its square times a moment would underflow.
+    pub const NEGLIGIBLE: f64 = 1e-120;
+
+    /// The motion of this problem.
+    ///
+    /// # Errors
+    /// If something acts on the body, or the moments differ by more than [`Self::MOMENT_RATIO`].
+    pub fn new(problem: &Problem) -> Result<Self, PropagationError> {
+        let refuse = |rule| Err(PropagationError::NotCovered { method: "the torque-free closed form", rule });
+        if !problem.loads.is_empty() {
+            return refuse("nothing may act on the body");
+        }
+        let moments: [f64; 3] = problem.moments.vector().into();
+        let largest = moments.into_iter().fold(0.0, f64::max);
+        if moments.into_iter().any(|moment| moment < Self::MOMENT_RATIO * largest) {
+            return refuse("the smallest principal moment must be at least 1e-24 of the largest");
+        }
+        let attitude = ExactQuaternion::normalised(problem.initial.attitude.wxyz().map(DoubleDouble::from));
+        Ok(Self {
+            branch: Branch::new(moments, problem.initial.angular_velocity.in_body().into(), attitude),
+            translation: problem.wants_translation.then(|| Ballistic::new(problem)),
+            wants_attitude: problem.wants_attitude,
+            last_time: 0.0,
+            evaluations: 0,
+        })
+    }
+}
+
+/// A power of two that brings `size` near 1: multiplying by it is exact.
+fn scale_of(size: f64) -> f64 {
+    let exponent = if size > 0.0 { libm::ilogb(size) } else { 0 };
+    libm::ldexp(1.0, -exponent.clamp(-1000, 1000))
+}
+
+impl Branch {
+    fn new(moments: [f64; 3], omega: [f64; 3], attitude: ExactQuaternion) -> Self {
+        let scale = scale_of(omega.into_iter().fold(0.0, |size, component| size.max(component.abs())));
+        let uniform = Self::Uniform(Uniform::new(omega, scale, attitude));
+        let kilograms = scale_of(moments.into_iter().fold(0.0, f64::max));
+        let moments = moments.map(|moment| moment * kilograms);
+        let omega = omega.map(|component| {
+            let scaled = component * scale;
+            if scaled.abs() < FreeRotation::NEGLIGIBLE { 0.0 } else { scaled }
+        });
+        if omega.into_iter().filter(|&component| component != 0.0).count() < 2 {
+            return uniform;
+        }
+        let mut ascending = [0, 1, 2];
+        ascending.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+        let [low, middle, high] = ascending;
+        let start = |axes| Start::new(Frame::new(axes, omega), moments, omega, attitude);
+        match (moments[low] == moments[middle], moments[middle] == moments[high]) {
+            (true, true) => return uniform,
+            (true, false) => return Self::Symmetric(Symmetric::new(&start([low, middle, high]), scale)),
+            (false, true) => return Self::Symmetric(Symmetric::new(&start([middle, high, low]), scale)),
+            (false, false) => {}
+        }
+        let about_high = start([low, middle, high]);
+        let separation = about_high.share(2, 1) + about_high.share(0, 1);
+        if separation.is_zero() {
+            return Self::Separatrix(Separatrix::new(&about_high, &Polhode::new(&about_high, separation), scale));
+        }
+        let start = if separation.hi() > 0.0 { about_high } else { start([high, middle, low]) };
+        match Nome::new(&start, &Polhode::new(&start, separation), scale) {
+            Nome::Series(motion) => Self::Series(motion),
+            Nome::Flips(motion) => Self::Flips(motion),
+        }
+    }
+}
+
+impl Propagator for FreeRotation {
+    fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
+        for &time in times {
+            if !time.is_finite() {
+                return Err(PropagationError::NotFinite { time: self.last_time });
+            }
+            if time < self.last_time {
+                return Err(PropagationError::NotAscending { time, previous: self.last_time });
+            }
+            self.last_time = time;
+        }
+        states.reset(times.len(), self.wants_attitude, self.translation.is_some());
+        match &self.branch {
+            Branch::Uniform(motion) => motion.fill_rates(states),
+            Branch::Symmetric(motion) => motion.fill_rates(times, states),
+            Branch::Series(motion) => motion.fill_rates(times, states),
+            Branch::Flips(motion) => motion.fill_rates(times, states),
+            Branch::Separatrix(motion) => motion.fill_rates(times, states),
+        }
+        if self.wants_attitude {
+            match &self.branch {
+                Branch::Uniform(motion) => motion.fill_attitude(times, states),
+                Branch::Symmetric(motion) => motion.fill_attitude(times, states),
+                Branch::Series(motion) => motion.fill_attitude(times, states),
+                Branch::Flips(motion) => motion.fill_attitude(times, states),
+                Branch::Separatrix(motion) => motion.fill_attitude(times, states),
+            }
+        }
+        if let Some(translation) = &self.translation {
+            translation.fill(times, states);
+        }
+        self.evaluations += times.len() as u64;
+        Ok(())
+    }
+
+    fn effort(&self) -> Effort {
+        Effort { evaluations: self.evaluations, ..Effort::default() }
+    }
+}
