@@ -8,8 +8,8 @@ use super::{BodyError, MassProperties};
 
 /// A body's skin: triangles that share vertices, counter-clockwise seen from outside.
 ///
-/// Vertices are the same where their index is the same. A triangle of no area is allowed (it encloses nothing); one that
-/// uses a vertex twice counts for nothing at all.
+/// Vertices are the same where their index is the same. A triangle of no area is allowed (it encloses nothing); one
+/// that uses a vertex twice counts for nothing at all.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TriangleMesh {
     /// From the body's origin, body axes, m.
@@ -22,8 +22,8 @@ impl TriangleMesh {
     /// The mass properties of the enclosed volume at this density in kg/m³, about its centre of mass.
     ///
     /// The integrals of 1, r and r rᵀ are exact for a polyhedron: each triangle adds the tetrahedron that it spans with
-    /// one point, signed (\[Mirtich96\] by way of \[BB04\]). That point is the mean of the vertices, and in a second pass the
-    /// centre of volume, so that a body far from its origin loses no digits.
+    /// one point, signed (\[Mirtich96\] by way of \[BB04\]). That point is the mean of the vertices, and in a second
+    /// pass the centre of volume, so that a body far from its origin loses no digits.
     ///
     /// # Errors
     /// If the density is not positive, the mesh not closed ([`Self::check_closed`]), or inside out.
@@ -55,7 +55,8 @@ impl TriangleMesh {
     /// Whether the triangles enclose a volume: each edge is used exactly once each way.
     ///
     /// # Errors
-    /// If there is no triangle, a vertex is missing or not finite, or an edge is not used so; the message names the first.
+    /// If there is no triangle, a vertex is missing or not finite, or an edge is not used so; the message names the
+    /// first.
     pub fn check_closed(&self) -> Result<(), BodyError> {
         if self.triangles.is_empty() {
             return Err(BodyError::Empty("mesh triangles"));

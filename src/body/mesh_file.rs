@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use super::error::positive;
 use super::{BodyError, TriangleMesh};
 
-/// Largest file read: over a million triangles of a binary STL. Reading takes up to some thirty times as much memory.
+/// Largest file read: over a million triangles of a binary STL. Reading takes up to some thirty times its memory.
 const MOST_BYTES: u64 = 64 << 20;
 
 /// Of one triangle, in the order of its file.
@@ -21,8 +21,8 @@ const STL_TRIANGLE_BYTES: usize = 50;
 impl TriangleMesh {
     /// Reads an STL (text or binary) or OBJ file, known by its extension; `scale` is the length of its unit in m.
     ///
-    /// Vertices are merged where their coordinates are equal. Of an OBJ, only vertices and faces are read, all objects as
-    /// one mesh; faces of more than three corners are cut into a fan.
+    /// Vertices are merged where their coordinates are equal. Of an OBJ, only vertices and faces are read, all objects
+    /// as one mesh; faces of more than three corners are cut into a fan.
     ///
     /// # Errors
     /// If the scale is not positive, the extension another, or the file unreadable, damaged, empty, too large, or of

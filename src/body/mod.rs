@@ -1,10 +1,11 @@
 //! What turns: mass properties, attitude, rates, state.
 //!
 //! Two frames: **world** (inertial) and **body** (fixed in the body, origin at its reference point: the centre of mass,
-//! or the fixed pivot). Algorithms work in **principal** axes, the body axes turned so that the inertia tensor is diagonal.
+//! or the fixed pivot). Algorithms work in **principal** axes, the body axes turned so that the inertia tensor is
+//! diagonal.
 //!
-//! [`MassProperties`] come from moments, a tensor, [`particles`], [`Solid`]s or a [`TriangleMesh`]; a [`Surface`] is what
-//! a viewer draws of them.
+//! [`MassProperties`] come from moments, a tensor, [`particles`], [`Solid`]s or a [`TriangleMesh`]; a [`Surface`] is
+//! what a viewer draws of them.
 
 pub mod particles;
 

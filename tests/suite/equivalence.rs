@@ -153,7 +153,7 @@ fn two_cylinders_make_the_t_handle_worked_by_hand() {
     // Its own axes are principal axes, though turning the cylinders by π/2 rounds.
     assert_eq!(handle.body_from_principal, UnitQuaternion::identity());
     // Bar (along x): m r²/2 = 1e-5 and m (3 r² + l²)/12 = 206e-6/1.2. Stem (along y): 5e-6 and 3.25e-5. Steiner with
-    // the reduced mass 1/15 kg over 0.04 m: 128e-6/1.2. Sums, in 1e-6/1.2 kg m²: 12 + 39 + 128, 206 + 6, 206 + 39 + 128.
+    // the reduced mass 1/15 kg over 0.04 m: 128e-6/1.2. Sums, in 1e-6/1.2 kg m²: 12+39+128, 206+6, 206+39+128.
     let moments = [179.0, 212.0, 373.0].map(|count| count * 1e-6 / 1.2);
     let by_hand = MassProperties::from_principal(Some(0.3), moments).unwrap();
     assert_same(&handle, &by_hand.shifted(Vector3::new(0.0, 0.04 / 3.0, 0.0)).unwrap(), ROUNDING);

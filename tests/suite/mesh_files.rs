@@ -173,7 +173,7 @@ proptest! {
     ) {
         let triangles = triangles();
         let originals =
-            [("a.stl", text_stl(&triangles, "solid")), ("b.stl", binary_stl(&triangles, "box")), ("c.obj", obj(&FACES))];
+            [("a.stl", text_stl(&triangles, "solid")), ("b.stl", binary_stl(&triangles, "")), ("c.obj", obj(&FACES))];
         for (name, original) in originals {
             let mut changed = original.clone();
             for (place, value) in &changes {

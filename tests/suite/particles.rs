@@ -9,7 +9,7 @@ use polhode::body::{Attitude, BodyError, Particle, ParticleCloud};
 
 /// Step of the finite differences, s: their error is its fourth power, their rounding its inverse.
 const STEP: f64 = 1e-3;
-/// What differences of fourth order leave of quantities near 10, relative to the largest of them; about 2× what is seen.
+/// What differences of fourth order leave of quantities near 10, relative; about 2× what is seen.
 const DIFFERENCE: f64 = 1e-11;
 /// A few roundings.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;

@@ -17,7 +17,7 @@
 //! | L = I(t) ω = Σ mᵢ rᵢ × vᵢ | [`angular_momentum`], [`ParticleCloud::angular_momentum`] |
 //! | dL/dt = T, so α = I⁻¹ (T − ω × L) | [`angular_acceleration`] |
 //!
-//! These are the definitions, in plain vectors: what the fast paths are checked against and what a viewer's points need.
+//! These are the definitions, in plain vectors: what fast paths are checked against and what a viewer's points need.
 
 mod cloud;
 mod forces;

@@ -23,7 +23,7 @@ pub struct Resultant {
     pub moment: Vector3<f64>,
 }
 
-/// The two opposite forces of each spring on particles at `positions` (world axes, m): first end, second end, next spring.
+/// The two opposite forces of each spring on particles at `positions` (world axes, m): first end, second end, next.
 ///
 /// # Errors
 /// If a spring's end does not exist, or both are in one place, where the force has no direction.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::body::error::positive;
 use crate::body::{BodyError, PrincipalMoments};
 
-/// A simple solid in its own axes; lengths in m. Its origin is its centre, but for the cone, where it is that of the base.
+/// A simple solid in its own axes; lengths in m. Its origin is its centre, but of the cone, where it is its base's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
     /// A cuboid, edges along the axes.

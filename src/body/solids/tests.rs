@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use super::{Shape, Solid};
 use crate::body::BodyError;
 
-/// Volume, mean height and mean squares of a body of revolution from its discs and rings: `weights` of each height, with
-/// the squares of the outer and the inner radius there.
+/// Volume, mean height and mean squares of a body of revolution from its discs and rings: weight, height, and the
+/// squares of the outer and the inner radius there.
 fn stacked(discs: &[(f64, f64, f64, f64)]) -> (f64, f64, Vector3<f64>) {
     let sum = |term: &dyn Fn(f64, f64, f64) -> f64| {
         discs.iter().map(|&(weight, height, outer, inner)| weight * term(height, outer, inner)).sum::<f64>()

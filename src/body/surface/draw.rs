@@ -14,7 +14,7 @@ const PARTICLE_RADIUS: f64 = 0.08;
 const LEAST_THICKNESS: f64 = 0.02;
 
 impl Surface {
-    /// One surface for each solid that is not a hole, in body axes from `origin` (from the body's origin, body axes, m).
+    /// One surface for each solid that is not a hole, in body axes from `origin` (itself from the body's origin, m).
     ///
     /// Holes are left out: what they are cut from is drawn whole.
     #[must_use]
@@ -38,8 +38,8 @@ impl Surface {
         surface
     }
 
-    /// A small ball for each particle, in body axes from `origin` (m); equal densities, the heaviest with a radius of 8 %
-    /// of the distance of the farthest particle from the centre of mass (of 1 m, if there is but one place).
+    /// A small ball for each particle, in body axes from `origin` (m); equal densities, the heaviest with a radius of
+    /// 8 % of the distance of the farthest particle from the centre of mass (of 1 m, if there is but one place).
     #[must_use]
     pub fn of_particles(cloud: &ParticleCloud, origin: &Vector3<f64>) -> Self {
         let centre = cloud.centre_of_mass();

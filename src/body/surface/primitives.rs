@@ -10,7 +10,8 @@ const AROUND: u32 = 32;
 impl Surface {
     /// The shape in its own axes, about its own origin.
     ///
-    /// Corners lie on the true surface, so that a round body is drawn inside itself by up to half a percent of its radius.
+    /// Corners lie on the true surface, so that a round body is drawn inside itself by up to half a percent of its
+    /// radius.
     #[must_use]
     pub fn of_shape(shape: &Shape) -> Self {
         match *shape {

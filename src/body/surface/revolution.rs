@@ -24,8 +24,8 @@ impl ProfilePoint {
 }
 
 impl Surface {
-    /// Adds the strip that `profile`, smooth and going up where its normals point away from the axis, sweeps in `around`
-    /// steps. Where the profile meets the axis, triangles instead of quadrangles.
+    /// Adds the strip that `profile`, smooth and going up where its normals point away from the axis, sweeps in
+    /// `around` steps. Where the profile meets the axis, triangles instead of quadrangles.
     pub(super) fn sweep(&mut self, profile: &[ProfilePoint], around: u32) {
         for [lower, upper] in profile.array_windows() {
             for step in 0..around {
