@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::error::{finite, positive};
 use super::{BodyError, MassProperties};
+use crate::numerics::Compensated;
 
 /// A piece of a body. A hole has negative mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,13 +54,9 @@ pub(super) fn inertia_from_second_moment(second_moment: &Matrix3<f64>) -> Matrix
     tensor
 }
 
-/// The sum in working precision and a half: what each addition rounds away is kept and added at the end [Neumaier74].
+/// The sum of the terms, without the rounding of each addition.
 pub(super) fn compensated_sum(terms: impl IntoIterator<Item = f64>) -> f64 {
-    let (mut sum, mut lost) = (0.0_f64, 0.0_f64);
-    for term in terms {
-        let next = sum + term;
-        lost += if sum.abs() >= term.abs() { (sum - next) + term } else { (term - next) + sum };
-        sum = next;
-    }
-    sum + lost
+    let mut sum = Compensated::default();
+    terms.into_iter().for_each(|term| sum.add(term));
+    sum.value()
 }
