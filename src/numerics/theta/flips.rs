@@ -4,9 +4,9 @@ use crate::numerics::{DoubleDouble, Turn};
 /// Sums over flips, for K′ ≤ K/2: the same functions after Jacobi's imaginary transformation, in the **other** nome
 /// P = e^(−πK/2K′) ≤ 0.044. [DLMF] 20.7(viii).
 ///
-/// With T = 2K′/K, θ₄(v − i s) is Σ exp(−v_n²/πT) e^(iκ v_n) over all integers n, v_n = v − (n + ½)π and κ = 2s/πT, up to a
-/// constant; θ₁ is the same sum with alternating signs. Each term is a Gaussian around one passage of the saddle; on the
-/// separatrix two of them are left. Nothing cancels however near it is.
+/// With T = 2K′/K and κ = 2s/πT, θ₄(v − i s) is the sum of exp(−d²/πT + iκd), d = v − (n + ½)π, over all integers n, up to
+/// a constant; θ₁ is the same with alternating signs. Each term is a Gaussian around one passage of the saddle, and on
+/// the separatrix two of them are left. Nothing cancels, however near it is.
 #[derive(Debug, Clone, Copy)]
 pub struct FlipSum {
     /// −4π/T: the exponent of x = e^(−2|v|/T) for v in turns.
@@ -15,7 +15,7 @@ pub struct FlipSum {
     nome: f64,
     /// κ: turns of phase per turn of v.
     kappa: f64,
-    /// P^(n(n+1)) (cos, sin) (n + ½)κπ without the power of P, n = 0 to 3.
+    /// (cos, sin) (n + ½)κπ, n = 0 to 3.
     directions: [[f64; 2]; 4],
     /// θ₃/θ₂, θ₄/θ₂, θ₄/θ₃ at 0.
     factors: [f64; 3],
@@ -90,13 +90,45 @@ pub struct Flip {
     half: f64,
 }
 
+/// eˣ for x ≤ 0, at least e^(−700): without branches, so that the loops over samples become vector code.
+#[inline]
+fn exp_of_negative(x: f64) -> f64 {
+    const MAGIC: f64 = 6_755_399_441_055_744.0; // 1.5 × 2⁵²: adding it leaves the nearest integer in the low bits
+    const LN_2_HI: f64 = 0.693_147_180_369_123_8; // 33 bits, so that k times it is exact
+    const LN_2_LO: f64 = 1.908_214_929_270_587_7e-10;
+    let x = x.max(-700.0);
+    let shifted = x * std::f64::consts::LOG2_E + MAGIC;
+    let k = shifted - MAGIC;
+    let r = (x - k * LN_2_HI) - k * LN_2_LO;
+    let rest = INVERSE_FACTORIALS.iter().rev().fold(0.0, |sum, coefficient| sum * r + coefficient);
+    let power = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
+    power + power * (r + r * r * rest)
+}
+
+/// 1/n!, n = 2 to 13.
+#[allow(clippy::unreadable_literal)]
+const INVERSE_FACTORIALS: [f64; 12] = [
+    0.5,
+    0.16666666666666666,
+    0.041666666666666664,
+    0.008333333333333333,
+    0.001388888888888889,
+    0.0001984126984126984,
+    2.48015873015873e-5,
+    2.7557319223985893e-6,
+    2.755731922398589e-7,
+    2.505210838544172e-8,
+    2.08767569878681e-9,
+    1.6059043836821613e-10,
+];
+
 impl Theta for FlipSum {
     type Place = Flip;
 
     #[inline]
     fn place(&self, v: Turn) -> Flip {
         let (taken, v) = v.without_half_turn();
-        let x = libm::exp(self.decay * v.abs());
+        let x = exp_of_negative(self.decay * v.abs());
         Flip { x, y: (self.nome / x).min(1.0), v, side: v.signum(), half: if taken { -1.0 } else { 1.0 } }
     }
 

@@ -31,6 +31,7 @@ impl NomeSeries {
         let nome_squared = nome.square();
         // step = ± Q^(2n+1), which leads from Q^(n²) to Q^((n+1)²), and times Q from Q^(n²+n) to the next of those.
         let (mut square, mut oblong, mut step) = (DoubleDouble::ONE, DoubleDouble::ONE, -nome);
+        let mut order = 0.0;
         let (mut even, mut odd) = ([[0.0; 2]; EVEN], [[0.0; 2]; ODD]);
         let (mut theta_4, mut slope, mut theta_1) = (DoubleDouble::ONE, DoubleDouble::ZERO, DoubleDouble::ZERO);
         for n in 0..=EXACT_TERMS {
@@ -47,7 +48,8 @@ impl NomeSeries {
             step = step * nome_squared;
             let [c, s] = multiples[2 * n + 2].map(|multiple| multiple * square.scale(2.0));
             theta_4 += c;
-            slope += s * f64::from(2 * (n as u32 + 1));
+            order += 2.0;
+            slope += s * order;
             if n < EVEN {
                 even[n] = [c.hi(), s.hi()];
             }

@@ -91,9 +91,9 @@ pub struct Polhode {
     pub complement: DoubleDouble,
     /// Sign of J₃ − J₁.
     pub sense: f64,
-    /// cos θ = c, the largest of L·e₃′/|L|: where cn is 1... see `sine`.
+    /// c: cosine of the angle from 3′ to L where cn = 1.
     pub cosine: DoubleDouble,
-    /// √(1 − c²).
+    /// √(1 − c²), formed without that subtraction.
     pub sine: DoubleDouble,
     /// (2E + |L| w₃₀)/(2(|L| + J₃ w₃₀)): half the rate about L of an axis that stays in step with L and 3′.
     pub half_rate: DoubleDouble,

@@ -34,10 +34,11 @@ impl ExactQuaternion {
     /// The matrix that takes the components of p to those of `self` p `right`.
     pub fn around(self, right: Self) -> Matrix4<f64> {
         let mut matrix = Matrix4::zeros();
-        for column in 0..4 {
-            let mut unit = [DoubleDouble::ZERO; 4];
-            unit[column] = DoubleDouble::ONE;
-            let Self(image) = self.times(Self(unit)).times(right);
+        let [w, x, y, z] = self.0;
+        // Products of `self` with 1, i, j, k.
+        let images = [[w, x, y, z], [-x, w, z, -y], [-y, -z, w, x], [-z, y, -x, w]];
+        for (column, image) in images.into_iter().enumerate() {
+            let Self(image) = Self(image).times(right);
             for row in 0..4 {
                 matrix[(row, column)] = image[row].hi();
             }

@@ -1,3 +1,4 @@
+use super::columns::{Motion, fill_rates, fill_rates_and_attitude};
 use super::frame::Frame;
 use super::invariants::{Polhode, Start};
 use super::quaternion::ExactQuaternion;
@@ -63,6 +64,14 @@ impl FreeRotation {
             evaluations: 0,
         })
     }
+
+    fn fill_columns<M: Motion>(&self, motion: &M, times: &[f64], states: &mut States) {
+        if self.wants_attitude {
+            fill_rates_and_attitude(motion, times, states);
+        } else {
+            fill_rates(motion, times, states);
+        }
+    }
 }
 
 /// A power of two that brings `size` near 1: multiplying by it is exact.
@@ -120,20 +129,11 @@ impl Propagator for FreeRotation {
         }
         states.reset(times.len(), self.wants_attitude, self.translation.is_some());
         match &self.branch {
-            Branch::Uniform(motion) => motion.fill_rates(states),
-            Branch::Symmetric(motion) => motion.fill_rates(times, states),
-            Branch::Series(motion) => motion.fill_rates(times, states),
-            Branch::Flips(motion) => motion.fill_rates(times, states),
-            Branch::Separatrix(motion) => motion.fill_rates(times, states),
-        }
-        if self.wants_attitude {
-            match &self.branch {
-                Branch::Uniform(motion) => motion.fill_attitude(times, states),
-                Branch::Symmetric(motion) => motion.fill_attitude(times, states),
-                Branch::Series(motion) => motion.fill_attitude(times, states),
-                Branch::Flips(motion) => motion.fill_attitude(times, states),
-                Branch::Separatrix(motion) => motion.fill_attitude(times, states),
-            }
+            Branch::Uniform(motion) => self.fill_columns(motion, times, states),
+            Branch::Symmetric(motion) => self.fill_columns(motion, times, states),
+            Branch::Series(motion) => self.fill_columns(motion, times, states),
+            Branch::Flips(motion) => self.fill_columns(motion, times, states),
+            Branch::Separatrix(motion) => self.fill_columns(motion, times, states),
         }
         if let Some(translation) = &self.translation {
             translation.fill(times, states);

@@ -1,9 +1,9 @@
 use nalgebra::{Matrix4, Vector4};
 
+use super::columns::Motion;
 use super::invariants::{Polhode, Start};
 use super::quaternion::unit;
 use crate::numerics::{DoubleDouble, Phase, carlson_rf};
-use crate::propagation::States;
 
 /// L² = 2E J₂ exactly: one flip, from the middle axis to the middle axis, for ever. sn → tanh, cn and dn → sech.
 ///
@@ -43,7 +43,7 @@ impl Separatrix {
             rates,
             attitude_map: Matrix4::zeros(),
         };
-        let [a_re, _, _, a_im] = this.pair(0.0).into();
+        let [a_re, _, _, a_im] = this.pair(this.argument(0.0), 0.0).into();
         this.attitude_map = start.attitude_map(start.momentum_frame_from_primed([a_re, a_im]));
         this
     }
@@ -52,8 +52,8 @@ impl Separatrix {
         (self.u0 + self.rate * t).hi()
     }
 
-    fn pair(&self, t: f64) -> Vector4<f64> {
-        let u = self.argument(t);
+    /// w, x, y, z of "momentum frame from primed axes", not normalised.
+    fn pair(&self, u: f64, t: f64) -> Vector4<f64> {
         let x = libm::exp(-u.abs());
         let ([cos, sin], side) = (self.direction, u.signum());
         let (a_re, a_im) = ((1.0 + x) * cos, -side * (1.0 - x) * sin);
@@ -62,23 +62,25 @@ impl Separatrix {
         Vector4::new(a_re * cos - a_im * sin, b_re * cos - b_im * sin, b_im * cos + b_re * sin, a_im * cos + a_re * sin)
     }
 
-    pub fn fill_rates(&self, times: &[f64], states: &mut States) {
-        let [(to_1, w10), (to_2, w20), (to_3, w30)] = self.rates;
-        for (row, &t) in times.iter().enumerate() {
-            let u = self.argument(t);
-            let x = libm::exp(-u.abs());
-            let sech = 2.0 * x / (1.0 + x * x);
-            states.angular_velocity[to_1][row] = w10 * sech;
-            states.angular_velocity[to_2][row] = w20 * libm::tanh(u);
-            states.angular_velocity[to_3][row] = w30 * sech;
-        }
+    fn rates_at(&self, u: f64) -> [f64; 3] {
+        let [(_, w10), (_, w20), (_, w30)] = self.rates;
+        let x = libm::exp(-u.abs());
+        let sech = 2.0 * x / (1.0 + x * x);
+        [w10 * sech, w20 * libm::tanh(u), w30 * sech]
+    }
+}
+
+impl Motion for Separatrix {
+    fn axes(&self) -> [usize; 3] {
+        self.rates.map(|(axis, _)| axis)
     }
 
-    pub fn fill_attitude(&self, times: &[f64], states: &mut States) {
-        let [qw, qx, qy, qz] = &mut states.attitude;
-        let rows = qw.iter_mut().zip(qx).zip(qy).zip(qz);
-        for ((((qw, qx), qy), qz), &t) in rows.zip(times) {
-            [*qw, *qx, *qy, *qz] = unit(self.attitude_map * self.pair(t));
-        }
+    fn rates(&self, time: f64) -> [f64; 3] {
+        self.rates_at(self.argument(time))
+    }
+
+    fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
+        let u = self.argument(time);
+        (self.rates_at(u), unit(self.attitude_map * self.pair(u, time)))
     }
 }

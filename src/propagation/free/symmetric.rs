@@ -1,9 +1,9 @@
 use nalgebra::{Matrix4, Vector4};
 
+use super::columns::Motion;
 use super::invariants::Start;
 use super::quaternion::unit;
 use crate::numerics::{DoubleDouble, Phase};
-use crate::propagation::States;
 
 /// Regular precession of a body with J₁ = J₂: axis 3′ circles L while the body turns about axis 3′.
 #[derive(Debug, Clone, Copy)]
@@ -12,7 +12,8 @@ pub struct Symmetric {
     spin: Phase,
     /// ω₁′, ω₂′ at the start, and ω₃′ for ever, rad/s.
     omega: [f64; 3],
-    destinations: [(usize, f64); 3],
+    axes: [usize; 3],
+    signs: [f64; 3],
     /// Phases of the pair (a, b) = (w + iz, x + iy) of "momentum frame from primed axes".
     phases: [Phase; 2],
     /// |a| and b at the start.
@@ -32,36 +33,38 @@ impl Symmetric {
             |rate: DoubleDouble| Phase { start: DoubleDouble::ZERO, rate: rate / DoubleDouble::PI.scale(4.0 * scale) };
         let at_start = start.momentum_frame_from_primed([1.0, 0.0]);
         let [w, x, y, _] = at_start.0.map(DoubleDouble::hi);
+        let destinations = start.frame.destinations();
         Self {
             spin: turns(about_axis.scale(2.0)),
             omega: start.omega.map(|component| component.hi() / scale),
-            destinations: start.frame.destinations(),
+            axes: destinations.map(|(axis, _)| axis),
+            signs: destinations.map(|(_, sign)| sign),
             phases: [turns(about_momentum + about_axis), turns(about_momentum - about_axis)],
             pair: (w, [x, y]),
             attitude_map: start.attitude_map(at_start),
         }
     }
+}
 
-    pub fn fill_rates(&self, times: &[f64], states: &mut States) {
-        let [w1, w2, w3] = self.omega;
-        let [(to_1, sign_1), (to_2, sign_2), (to_3, sign_3)] = self.destinations;
-        for (row, &t) in times.iter().enumerate() {
-            let (sin, cos) = self.spin.at(t).sin_cos();
-            states.angular_velocity[to_1][row] = sign_1 * (w1 * cos + w2 * sin);
-            states.angular_velocity[to_2][row] = sign_2 * (w2 * cos - w1 * sin);
-            states.angular_velocity[to_3][row] = sign_3 * w3;
-        }
+impl Motion for Symmetric {
+    fn axes(&self) -> [usize; 3] {
+        self.axes
     }
 
-    pub fn fill_attitude(&self, times: &[f64], states: &mut States) {
+    #[allow(clippy::inline_always)] // used twice, yet to become vector code both times
+    #[inline(always)]
+    fn rates(&self, time: f64) -> [f64; 3] {
+        let ([w1, w2, w3], [sign_1, sign_2, sign_3]) = (self.omega, self.signs);
+        let (sin, cos) = self.spin.at(time).sin_cos();
+        [sign_1 * (w1 * cos + w2 * sin), sign_2 * (w2 * cos - w1 * sin), sign_3 * w3]
+    }
+
+    #[inline]
+    fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let (size, [x, y]) = self.pair;
-        let [qw, qx, qy, qz] = &mut states.attitude;
-        let rows = qw.iter_mut().zip(qx).zip(qy).zip(qz);
-        for ((((qw, qx), qy), qz), &t) in rows.zip(times) {
-            let (sin_a, cos_a) = self.phases[0].at(t).sin_cos();
-            let (sin_b, cos_b) = self.phases[1].at(t).sin_cos();
-            let p = Vector4::new(size * cos_a, x * cos_b - y * sin_b, y * cos_b + x * sin_b, size * sin_a);
-            [*qw, *qx, *qy, *qz] = unit(self.attitude_map * p);
-        }
+        let (sin_a, cos_a) = self.phases[0].at(time).sin_cos();
+        let (sin_b, cos_b) = self.phases[1].at(time).sin_cos();
+        let pair = Vector4::new(size * cos_a, x * cos_b - y * sin_b, y * cos_b + x * sin_b, size * sin_a);
+        (self.rates(time), unit(self.attitude_map * pair))
     }
 }

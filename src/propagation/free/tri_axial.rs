@@ -1,9 +1,9 @@
 use nalgebra::{Matrix4, Vector4};
 
+use super::columns::Motion;
 use super::invariants::{Polhode, Start};
 use super::quaternion::unit;
 use crate::numerics::{DoubleDouble, FlipSum, NomeSeries, Phase, Theta, carlson_rf, complete_k};
-use crate::propagation::States;
 
 /// Three different moments, off the separatrix: ω by Jacobi's functions, the attitude by two theta functions.
 ///
@@ -97,35 +97,40 @@ impl<T: Theta> TriAxial<T> {
             (axis, sign * polhode.amplitudes[k].hi() / scale)
         });
         let mut this = Self { theta, argument, secular, zeta, rates, attitude_map: Matrix4::zeros() };
-        let [a_re, _, _, a_im] = this.pair(0.0).into();
+        let [a_re, _, _, a_im] = this.pair(this.theta.place(this.argument.at(0.0)), 0.0).into();
         this.attitude_map = start.attitude_map(start.momentum_frame_from_primed([a_re, a_im]));
         this
     }
 
     /// w, x, y, z of "momentum frame from primed axes" at a time, not normalised.
     #[inline]
-    fn pair(&self, t: f64) -> Vector4<f64> {
-        let pair = self.theta.pair(self.theta.place(self.argument.at(t)));
+    fn pair(&self, at: T::Place, t: f64) -> Vector4<f64> {
+        let pair = self.theta.pair(at);
         let (sin, cos) = self.secular.at(t).plus(pair.turns).sin_cos();
         let ([a_re, a_im], [b_re, b_im]) = (pair.a, pair.b.map(|part| self.zeta * part));
         Vector4::new(a_re * cos - a_im * sin, b_re * cos - b_im * sin, b_im * cos + b_re * sin, a_im * cos + a_re * sin)
     }
 
-    pub fn fill_rates(&self, times: &[f64], states: &mut States) {
-        let [(to_1, w10), (to_2, w20), (to_3, w30)] = self.rates;
-        for (row, &t) in times.iter().enumerate() {
-            let [sn, cn, dn] = self.theta.jacobi(self.theta.place(self.argument.at(t)));
-            states.angular_velocity[to_1][row] = w10 * cn;
-            states.angular_velocity[to_2][row] = w20 * sn;
-            states.angular_velocity[to_3][row] = w30 * dn;
-        }
+    #[inline]
+    fn rates_at(&self, at: T::Place) -> [f64; 3] {
+        let ([sn, cn, dn], [(_, w10), (_, w20), (_, w30)]) = (self.theta.jacobi(at), self.rates);
+        [w10 * cn, w20 * sn, w30 * dn]
+    }
+}
+
+impl<T: Theta> Motion for TriAxial<T> {
+    fn axes(&self) -> [usize; 3] {
+        self.rates.map(|(axis, _)| axis)
     }
 
-    pub fn fill_attitude(&self, times: &[f64], states: &mut States) {
-        let [qw, qx, qy, qz] = &mut states.attitude;
-        let rows = qw.iter_mut().zip(qx).zip(qy).zip(qz);
-        for ((((qw, qx), qy), qz), &t) in rows.zip(times) {
-            [*qw, *qx, *qy, *qz] = unit(self.attitude_map * self.pair(t));
-        }
+    #[inline]
+    fn rates(&self, time: f64) -> [f64; 3] {
+        self.rates_at(self.theta.place(self.argument.at(time)))
+    }
+
+    #[inline]
+    fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
+        let at = self.theta.place(self.argument.at(time));
+        (self.rates_at(at), unit(self.attitude_map * self.pair(at, time)))
     }
 }

@@ -1,8 +1,8 @@
 use nalgebra::{Matrix4x2, Vector2};
 
+use super::columns::Motion;
 use super::quaternion::{ExactQuaternion, unit};
 use crate::numerics::{DoubleDouble, Phase};
-use crate::propagation::States;
 
 /// Rotation about an axis that stays: rest, a body with three equal moments, a spin about one principal axis.
 #[derive(Debug, Clone, Copy)]
@@ -29,19 +29,21 @@ impl Uniform {
             attitude_map: Matrix4x2::from_fn(|row, column| [at_cos, at_sin][column][row].hi()),
         }
     }
+}
 
-    pub fn fill_rates(&self, states: &mut States) {
-        for (column, omega) in states.angular_velocity.iter_mut().zip(self.omega) {
-            column.fill(omega);
-        }
+impl Motion for Uniform {
+    fn axes(&self) -> [usize; 3] {
+        [0, 1, 2]
     }
 
-    pub fn fill_attitude(&self, times: &[f64], states: &mut States) {
-        let [w, x, y, z] = &mut states.attitude;
-        let rows = w.iter_mut().zip(x).zip(y).zip(z);
-        for ((((w, x), y), z), &t) in rows.zip(times) {
-            let (sin, cos) = self.half_angle.at(t).sin_cos();
-            [*w, *x, *y, *z] = unit(self.attitude_map * Vector2::new(cos, sin));
-        }
+    #[inline]
+    fn rates(&self, _: f64) -> [f64; 3] {
+        self.omega
+    }
+
+    #[inline]
+    fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
+        let (sin, cos) = self.half_angle.at(time).sin_cos();
+        (self.omega, unit(self.attitude_map * Vector2::new(cos, sin)))
     }
 }
