@@ -90,7 +90,7 @@ fn window(key: &Key, start: Option<f64>, end: Option<f64>) -> Result<Window, Ref
     let start = start.map_or(Ok(Window::ALWAYS.start), |start| not_negative(&key.field("start_s"), start))?;
     let end = end.map_or(Ok(Window::ALWAYS.end), |end| positive(&key.field("end_s"), end))?;
     if end <= start {
-        return Err(key.field("end_s").refuse(format_args!("{end} must come after start_s = {start}")));
+        return Err(key.field("end_s").refuse(format_args!("{end:?} must come after start_s = {start:?}")));
     }
     Ok(Window { start, end })
 }

@@ -49,10 +49,10 @@ fn step_tolerance(scenario: &Scenario) -> Result<f64, Refusal> {
     let key = Key::root("tolerance_rad");
     let Some(tolerance) = scenario.tolerance_rad else { return Ok(TIGHTEST) };
     if positive(&key, tolerance)? > 0.1 {
-        return Err(key.refuse(format_args!("{tolerance} rad is no accuracy: at most 0.1")));
+        return Err(key.refuse(format_args!("{tolerance:?} rad is no accuracy: at most 0.1")));
     }
     if tolerance < 1e-15 {
-        return Err(key.refuse(format_args!("{tolerance:e} rad is below what f64 resolves: at least 1e-15")));
+        return Err(key.refuse(format_args!("{tolerance:?} rad is below what f64 resolves: at least 1e-15")));
     }
     Ok((tolerance * SHARE_OF_A_STEP).max(TIGHTEST))
 }

@@ -9,21 +9,21 @@ pub fn positive(key: &Key, value: f64) -> Result<f64, Refusal> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(key.refuse(format_args!("{value} must be positive and finite")))
+    Err(key.refuse(format_args!("{value:?} must be positive and finite")))
 }
 
 pub fn not_negative(key: &Key, value: f64) -> Result<f64, Refusal> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
-    Err(key.refuse(format_args!("{value} must be finite and not negative")))
+    Err(key.refuse(format_args!("{value:?} must be finite and not negative")))
 }
 
 pub fn finite(key: &Key, value: f64) -> Result<f64, Refusal> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(key.refuse(format_args!("{value} must be finite")))
+    Err(key.refuse(format_args!("{value:?} must be finite")))
 }
 
 pub fn vector(key: &Key, value: [f64; 3]) -> Result<Vector3<f64>, Refusal> {
