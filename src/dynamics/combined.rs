@@ -154,7 +154,7 @@ fn acceleration(force: Vector3<f64>, problem: &Problem) -> Result<Vector3<f64>, 
     }
 }
 
-/// Σ A Rᵀ w = Σ over world axes e of (Σ A w_e) Rᵀ e: never more than three images, however many forces.
+/// `Σ A Rᵀ w = Σ (Σ A w_e) Rᵀ e`, e the world axes: never more than three images, however many forces.
 fn along_world_axes(couples: &[Couple]) -> Vec<Couple> {
     (0..3)
         .map(|axis| Couple {

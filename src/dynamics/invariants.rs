@@ -37,7 +37,7 @@ pub fn potential_energy(torque: &Torque, moments: PrincipalMoments, time: f64, s
     }
 }
 
-/// ½ ω·Iω + 3/2 n² r·I r − n L_z, J: what a body on a circular orbit keeps, its energy as seen from the turning frame.
+/// ½ ω·Iω + 3/2 n² r·I r − n `L_z`, J: what a body on a circular orbit keeps, its energy as seen from the turning frame.
 #[must_use]
 pub fn jacobi_integral(mean_motion: f64, moments: PrincipalMoments, time: f64, state: &State) -> f64 {
     let gradient = potential_energy(&Torque::GravityGradient { mean_motion }, moments, time, state).unwrap_or(0.0);

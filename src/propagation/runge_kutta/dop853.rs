@@ -73,7 +73,7 @@ impl Dop853 {
         tolerance: f64,
     ) -> Result<Self, PropagationError> {
         let not_covered = |rule| PropagationError::NotCovered { method: "DOP853", rule };
-        if !(tolerance >= Self::TIGHTEST && tolerance < 1.0) {
+        if !(Self::TIGHTEST..1.0).contains(&tolerance) {
             return Err(not_covered("its tolerance must lie between 1e-15 and 1"));
         }
         let equations = Equations::new(problem, model).map_err(|error| not_covered(error.rule()))?;
@@ -113,7 +113,7 @@ impl Dop853 {
             let factor = if error > 0.0 { Self::SAFETY * libm::pow(error, -1.0 / 8.0) } else { Self::GROW };
             if error <= 1.0 {
                 normalise(&mut end);
-                self.accept(step, remaining, stages, end);
+                self.accept(step, remaining, &stages, end);
                 self.next_step = Some(step * factor.clamp(Self::SHRINK, most_growth));
                 return Ok(());
             }
@@ -129,13 +129,13 @@ impl Dop853 {
         }
     }
 
-    fn accept(&mut self, step: f64, remaining: f64, stages: [Values; 12], end: Values) {
+    fn accept(&mut self, step: f64, remaining: f64, stages: &[Values; 12], end: Values) {
         let start = self.time;
         self.time = if step == remaining { self.equations.span().end } else { start + step };
         // The last derivative of this step is the first of the next, if the loads stay.
         let last = self.equations.derivative(self.time, &end);
         let mut derivatives = [last; 16];
-        derivatives[..12].copy_from_slice(&stages);
+        derivatives[..12].copy_from_slice(stages);
         self.last = Some(Step { start, length: step, values: self.values, derivatives, interpolant: None });
         (self.values, self.derivative) = (end, Some(last));
         self.steps += 1;
@@ -151,7 +151,7 @@ impl Dop853 {
                 let allowed = self.tolerance * size;
                 fifth_sum += fifth[range.clone()].iter().map(|error| (error / allowed).powi(2)).sum::<f64>();
                 third_sum += third[range.clone()].iter().map(|error| (error / allowed).powi(2)).sum::<f64>();
-                count += range.len() as f64;
+                count += fifth[range].iter().map(|_| 1.0).sum::<f64>();
             }
         }
         let sum = fifth_sum + 0.01 * third_sum;

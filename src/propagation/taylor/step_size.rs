@@ -15,7 +15,7 @@ pub(super) fn order_for(tolerance: f64) -> usize {
 /// The σ at which the last two coefficients still add no more than the tolerance; infinity where they vanish.
 ///
 /// An attitude may be off by the tolerance in rad. Rates may be off by the tolerance of their own size, or of one turn
-/// of the series' unit where that is less: |ω_p| σ^(p+1) then moves the attitude by less too.
+/// of the series' unit where that is less: `|ω_p| σ^(p+1)` then moves the attitude by less too.
 pub(super) fn step_ratio(series: &Series, order: usize, tolerance: f64) -> f64 {
     let rates = scale(&series.rates).min(1.0);
     let position = scale(&series.position);

@@ -1,0 +1,64 @@
+//! What runs cost, exactly: a change of cost is seen in review.
+
+use polhode::dynamics::{Load, Problem, Torque, Window};
+use polhode::propagation::{Dop853, Effort, Propagator, Rk4, States, Taylor};
+
+use crate::motions::{MOMENTS, RATES, every_torque, grid, problem};
+
+/// Evaluations, steps and rejections of ten seconds with twenty samples.
+fn effort(mut propagator: impl Propagator) -> [u64; 3] {
+    propagator.fill(&grid(10.0, 20), &mut States::default()).expect("a finite motion");
+    let Effort { evaluations, steps, rejections } = propagator.effort();
+    [evaluations, steps, rejections]
+}
+
+fn under(name: &str) -> Problem {
+    let torques: Vec<Torque> =
+        every_torque().into_iter().filter(|(kind, _)| *kind == name).map(|(_, torque)| torque).collect();
+    problem(MOMENTS, RATES, &torques)
+}
+
+fn pulsed() -> Problem {
+    let mut problem = under("constant body");
+    problem.loads[0] = Load { window: Window { start: 2.3, end: 4.1 }, ..problem.loads[0] };
+    problem
+}
+
+#[test]
+fn taylor_steps() {
+    let steps = |problem: &Problem, tolerance: f64| {
+        let [evaluations, steps, rejections] = effort(Taylor::new(problem, tolerance).expect("covered"));
+        assert_eq!([evaluations, rejections], [steps, 0]);
+        steps
+    };
+    let found = ["none", "constant body", "constant world", "linear damping", "force world", "gravity gradient"]
+        .map(|name| (name, steps(&under(name), 1e-16), steps(&under(name), 1e-9)));
+    let expected = [
+        ("none", 25, 24),
+        ("constant body", 29, 28),
+        ("constant world", 23, 22),
+        ("linear damping", 17, 16),
+        ("force world", 31, 30),
+        ("gravity gradient", 48, 46),
+    ];
+    assert_eq!(found, expected);
+    assert_eq!(steps(&pulsed(), 1e-16), 23);
+}
+
+#[test]
+fn rk4_evaluations_steps_rejections() {
+    let of = |problem: &Problem, step: f64| effort(Rk4::new(problem, step).expect("covered"));
+    // 10 s in steps of 10 ms, four evaluations each.
+    assert_eq!(of(&under("force world"), 0.01), [4000, 1000, 0]);
+    // Half a second about each edge is cut in two, 0.3 + 0.2 and 0.1 + 0.4, still whole numbers of steps.
+    assert_eq!(of(&pulsed(), 0.01), [4000, 1000, 0]);
+    // No longer than asked for: half a second in steps of 0.3 is two.
+    assert_eq!(of(&under("none"), 0.3), [160, 40, 0]);
+}
+
+#[test]
+fn dop853_evaluations_steps_rejections() {
+    let of = |problem: &Problem, tolerance: f64| effort(Dop853::new(problem, tolerance).expect("covered"));
+    let found = [of(&under("force world"), 1e-6), of(&under("force world"), 1e-12), of(&pulsed(), 1e-9)];
+    assert_eq!(found, [[237, 13, 4], [865, 67, 0], [380, 26, 1]]);
+}

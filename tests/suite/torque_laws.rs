@@ -1,0 +1,376 @@
+//! What torques must do, whatever the method: impulse laws, conserved quantities, published and derived values.
+
+use nalgebra::Vector3;
+use polhode::body::{Attitude, State};
+use polhode::dynamics::{
+    Load, Problem, Torque, Window, jacobi_integral, momentum_in_world, potential_energy, rotational_energy,
+    translational_energy,
+};
+use polhode::propagation::{Effort, PropagationError, Propagator, States, Taylor};
+
+use crate::motions::{MOMENTS, RATES, differences, every_torque, grid, problem, row, run, state};
+
+const TIGHTEST: f64 = 1e-16;
+/// What rounding may do to a momentum or energy over a few hundred steps, relative.
+const ROUNDING: f64 = 2e-14;
+
+fn taylor(problem: &Problem) -> Taylor {
+    Taylor::new(problem, TIGHTEST).expect("covered")
+}
+
+fn momentum(problem: &Problem, state: &State) -> Vector3<f64> {
+    momentum_in_world(problem.moments, state)
+}
+
+#[track_caller]
+fn assert_near(found: f64, expected: f64, limit: f64) {
+    assert!((found - expected).abs() <= limit, "{found} is {:e} from {expected}", found - expected);
+}
+
+#[test]
+fn constant_world_torque_feeds_momentum_linearly() {
+    let moment = Vector3::new(0.05, -0.02, 0.1);
+    let problem = problem(MOMENTS, RATES, &[Torque::ConstantWorld { moment }]);
+    let times = grid(60.0, 40);
+    let states = run(taylor(&problem), &times);
+    let start = momentum(&problem, &problem.initial);
+    for (i, time) in times.iter().enumerate() {
+        let expected = start + moment * *time;
+        let error = (momentum(&problem, &state(&states, i)) - expected).norm();
+        assert!(error < ROUNDING * expected.norm().max(1.0), "t = {time}: {error:e}");
+    }
+}
+
+#[test]
+fn pulses_add_their_impulses() {
+    let mut problem = problem(MOMENTS, RATES, &[]);
+    let pulses = [
+        (Vector3::new(0.6, 0.0, -0.3), 0.3337, 1.7129),
+        (Vector3::new(0.0, 0.4, 0.2), 1.05, 4.3071),
+        (Vector3::new(1e3, 0.0, 0.0), 6.0, 6.000_01),
+    ];
+    let mut impulse = Vector3::zeros();
+    for (moment, start, end) in pulses {
+        problem.loads.push(Load { torque: Torque::ConstantWorld { moment }, window: Window { start, end } });
+        impulse += moment * (end - start);
+    }
+    let states = run(taylor(&problem), &[10.0]);
+    let change = momentum(&problem, &state(&states, 0)) - momentum(&problem, &problem.initial);
+    assert!((change - impulse).norm() < ROUNDING, "{change} for {impulse}");
+}
+
+#[test]
+fn spin_up_is_linear() {
+    let torque = Torque::ConstantBody { moment: Vector3::new(0.0, 0.0, 0.25) };
+    let times = grid(40.0, 16);
+    let states = run(taylor(&problem([1.2, 0.9, 0.6], [0.0, 0.0, 0.5], &[torque])), &times);
+    for (i, time) in times.iter().enumerate() {
+        let [x, y, z] = row(&states.angular_velocity, i);
+        assert_eq!([x, y], [0.0, 0.0]);
+        assert_near(z, 0.5 + 0.25 * time / 0.6, 4.0 * f64::EPSILON * z);
+    }
+}
+
+#[test]
+fn damping_of_a_ball_is_exponential() {
+    let problem = problem([2.0; 3], RATES, &[Torque::LinearDamping { coefficient: 0.3 }]);
+    let times = grid(200.0, 20);
+    let states = run(taylor(&problem), &times);
+    for (i, time) in times.iter().enumerate() {
+        for (found, start) in row(&states.angular_velocity, i).into_iter().zip(RATES) {
+            let expected = start * libm::exp(-0.15 * time);
+            assert_near(found, expected, ROUNDING * expected.abs());
+        }
+    }
+}
+
+/// ω₊' = iσ(ω₃₀ + τt/I₃)ω₊ + τ₁/I₁ from rest: quadrature of the Fresnel form, ten digits.
+#[test]
+fn transverse_torque_on_a_body_that_spins_up() {
+    let moment = Vector3::new(0.2, 0.0, 0.3);
+    let problem = problem([2.0, 2.0, 3.0], [0.0, 0.0, 1.0], &[Torque::ConstantBody { moment }]);
+    let [x, y, z] = row(&run(taylor(&problem), &[20.0]).angular_velocity, 0);
+    assert_near(x, 0.180_913_491_2, 5e-11);
+    assert_near(y, 0.017_834_477_0, 5e-11);
+    assert_near(z, 3.0, 1e-14);
+}
+
+/// The transverse rates of a symmetric body turn by σ(ω₃₀ t + a t²/2), their length unchanged.
+#[test]
+fn axial_torque_makes_a_chirp() {
+    let moment = Vector3::new(0.0, 0.0, 0.3);
+    let problem = problem([2.0, 2.0, 3.0], [0.3, 0.0, 1.0], &[Torque::ConstantBody { moment }]);
+    let [x, y, z] = row(&run(taylor(&problem), &[20.0]).angular_velocity, 0);
+    assert_near(x, 0.122_424_618_5, 5e-11);
+    assert_near(y, 0.273_883_575_2, 5e-11);
+    assert_near(z, 3.0, 1e-14);
+}
+
+#[test]
+fn heavy_top_keeps_energy_and_two_momenta() {
+    let weight = Torque::ForceWorld { force: Vector3::new(0.0, 0.0, -4.905), arm: Vector3::new(0.0, 0.0, 0.04) };
+    let problem = problem([0.002, 0.002, 0.0012], [0.0, -2.0, 60.0], &[weight]);
+    let times = grid(5.0, 50);
+    let states = run(taylor(&problem), &times);
+    let laws = |time: f64, state: &State| {
+        let at_pivot = State { position: Vector3::zeros(), ..*state };
+        let potential = potential_energy(&weight, problem.moments, time, &at_pivot).expect("a potential");
+        let energy = rotational_energy(problem.moments, state) + potential;
+        // Each with its scale: lying down, the top has no momentum about the vertical.
+        let spin = 60.0;
+        [
+            (energy, energy.abs()),
+            (momentum(&problem, state).z, 0.0012 * spin),
+            (state.angular_velocity.in_body().z, spin),
+        ]
+    };
+    let start = laws(0.0, &problem.initial);
+    for (i, time) in times.iter().enumerate() {
+        for ((found, _), (expected, scale)) in laws(*time, &state(&states, i)).into_iter().zip(start) {
+            assert_near(found, expected, ROUNDING * scale);
+        }
+    }
+}
+
+#[test]
+fn gravity_gradient_keeps_the_jacobi_integral() {
+    let n = 0.0011;
+    let problem = problem([20.0, 32.0, 40.0], [2e-5, -3e-5, 0.001_12], &[Torque::GravityGradient { mean_motion: n }]);
+    let times = grid(60_000.0, 50);
+    let states = run(taylor(&problem), &times);
+    let start = jacobi_integral(n, problem.moments, 0.0, &problem.initial);
+    for (i, time) in times.iter().enumerate() {
+        assert_near(jacobi_integral(n, problem.moments, *time, &state(&states, i)), start, ROUNDING * start.abs());
+    }
+}
+
+#[test]
+fn force_in_the_world_keeps_energy_and_makes_a_parabola() {
+    let force = Vector3::new(0.5, 0.2, -0.4);
+    let torque = Torque::ForceWorld { force, arm: Vector3::new(0.3, -0.1, 0.2) };
+    let mut problem = problem(MOMENTS, RATES, &[torque]);
+    problem.wants_translation = true;
+    let times = grid(20.0, 20);
+    let states = run(taylor(&problem), &times);
+    let energy = |time: f64, state: &State| {
+        let potential = potential_energy(&torque, problem.moments, time, state).expect("a potential");
+        rotational_energy(problem.moments, state) + translational_energy(2.0, state) + potential
+    };
+    let start = energy(0.0, &problem.initial);
+    for (i, &time) in times.iter().enumerate() {
+        let state = state(&states, i);
+        let State { position, velocity, .. } = problem.initial;
+        let expected = position + velocity * time + force * (0.25 * time * time);
+        assert!((state.position - expected).norm() < ROUNDING * expected.norm(), "t = {time}");
+        assert_near(energy(time, &state), start, ROUNDING * translational_energy(2.0, &state).max(start.abs()));
+    }
+}
+
+#[test]
+fn thruster_pushes_along_the_body() {
+    // Spinning about z with a thruster along x through the centre of mass: v' = F/m (cos ωt, sin ωt), turned once.
+    let torque = Torque::ForceBody { force: Vector3::new(3.0, 0.0, 0.0), arm: Vector3::new(-0.2, 0.0, 0.0) };
+    let mut problem = problem(MOMENTS, [0.0, 0.0, 1.5], &[torque]);
+    problem.wants_translation = true;
+    let times = grid(20.0, 10);
+    let states = run(taylor(&problem), &times);
+    for (i, &time) in times.iter().enumerate() {
+        let (sine, cosine) = libm::sincos(1.5 * time);
+        let gained = problem.initial.attitude.to_world(&Vector3::new(sine, 1.0 - cosine, 0.0)) * (1.5 / 1.5);
+        let turned = Vector3::new(1.0 - cosine, 1.5 * time - sine, 0.0) * (1.0 / 1.5);
+        let State { position, velocity, .. } = problem.initial;
+        let moved = position + velocity * time + problem.initial.attitude.to_world(&turned);
+        assert!((state(&states, i).velocity - velocity - gained).norm() < ROUNDING, "t = {time}");
+        assert!((state(&states, i).position - moved).norm() < ROUNDING * moved.norm(), "t = {time}");
+    }
+}
+
+/// The recurrence of every kind says the same as its formula: the rates' first derivative, by a short difference.
+#[test]
+fn recurrences_agree_with_the_formulae() {
+    const SHORT: f64 = 1e-7;
+    for (name, torque) in every_torque() {
+        let problem = problem(MOMENTS, RATES, &[torque]);
+        let states = run(taylor(&problem), &[SHORT]);
+        let omega = Vector3::from(RATES);
+        let inertia = problem.moments.vector();
+        let moment = torque.moment(problem.moments, 0.0, &problem.initial);
+        let expected = (inertia.component_mul(&omega).cross(&omega) + moment).component_div(&inertia);
+        let found = (Vector3::from(row(&states.angular_velocity, 0)) - omega) / SHORT;
+        assert!((found - expected).norm() < 1e-6, "{name}: {found} for {expected}");
+    }
+}
+
+#[test]
+fn how_the_times_are_dealt_out_changes_no_bit() {
+    let torques: Vec<Torque> = every_torque().into_iter().map(|(_, torque)| torque).collect();
+    let mut problem = problem(MOMENTS, RATES, &torques);
+    problem.wants_translation = true;
+    problem.loads[1].window = Window { start: 1.25, end: 3.5 };
+    // An edge and the times beside it are among the samples, and one time comes twice.
+    let mut times = grid(10.0, 400);
+    times.push(10.0);
+    let together = run(taylor(&problem), &times);
+    for lot in [1, 7, 100] {
+        let (mut propagator, mut part, mut row_of_all) = (taylor(&problem), States::default(), 0);
+        for times in times.chunks(lot) {
+            propagator.fill(times, &mut part).expect("a finite motion");
+            for i in 0..part.len() {
+                assert_eq!(state(&part, i), state(&together, row_of_all));
+                row_of_all += 1;
+            }
+        }
+    }
+}
+
+#[test]
+fn starting_again_from_a_later_state_gives_the_same_motion() {
+    for (name, torque) in every_torque() {
+        // The gravity gradient knows what time it is.
+        if matches!(torque, Torque::GravityGradient { .. }) {
+            continue;
+        }
+        let whole = problem(MOMENTS, RATES, &[torque]);
+        let states = run(taylor(&whole), &[4.0, 9.0]);
+        let rest = Problem { initial: state(&states, 0), ..whole.clone() };
+        let (attitude, rates) = differences(&run(taylor(&rest), &[0.0, 5.0]), &states);
+        assert!(attitude < 2e-14 && rates < 2e-14, "{name}: {attitude:e} rad, {rates:e} rad/s");
+    }
+}
+
+#[test]
+fn a_window_is_the_sum_of_its_halves() {
+    for (name, torque) in every_torque() {
+        let mut whole = problem(MOMENTS, RATES, &[torque]);
+        whole.loads[0].window = Window { start: 1.1, end: 5.3 };
+        let mut halves = whole.clone();
+        halves.loads.push(halves.loads[0]);
+        halves.loads[0].window.end = 2.7;
+        halves.loads[1].window.start = 2.7;
+        let times = grid(8.0, 32);
+        let (attitude, rates) = differences(&run(taylor(&halves), &times), &run(taylor(&whole), &times));
+        assert!(attitude < 2e-14 && rates < 2e-14, "{name}: {attitude:e} rad, {rates:e} rad/s");
+    }
+}
+
+#[test]
+fn many_forces_act_as_their_sum() {
+    let force = |i: f64| Torque::ForceWorld {
+        force: Vector3::new(0.3 * i, 0.7 - i, 0.2),
+        arm: Vector3::new(0.1, 0.05 * i, -0.2 * i),
+    };
+    let torques: Vec<Torque> = (1..6).map(|i| force(f64::from(i))).collect();
+    let problem = problem(MOMENTS, RATES, &torques);
+    let dop853 = polhode::propagation::Dop853::new(&problem, 1e-13).expect("covered");
+    let times = grid(3.0, 6);
+    let (attitude, rates) = differences(&run(dop853, &times), &run(taylor(&problem), &times));
+    assert!(attitude < 1e-11 && rates < 1e-11, "{attitude:e} rad, {rates:e} rad/s");
+}
+
+#[test]
+fn rest_costs_one_step() {
+    let problem = problem(MOMENTS, [0.0; 3], &[]);
+    let mut propagator = taylor(&problem);
+    let mut states = States::default();
+    propagator.fill(&[0.0, 1e9, 1e15], &mut states).expect("a finite motion");
+    assert_eq!(propagator.effort(), Effort { evaluations: 1, steps: 1, rejections: 0 });
+    for i in 0..3 {
+        assert_eq!(state(&states, i).attitude, problem.initial.attitude);
+    }
+}
+
+/// The same motion, faster or slower by powers of two and on bodies of any size, in as many steps.
+#[test]
+fn rates_and_moments_of_any_size() {
+    for power in [-36, -20, 20, 36] {
+        let scale = libm::exp2(f64::from(power));
+        let reference = problem(MOMENTS, RATES, &[Torque::ConstantBody { moment: Vector3::new(0.3, -0.2, 0.1) }]);
+        let faster = problem(
+            MOMENTS.map(|moment| moment * scale),
+            RATES.map(|rate| rate * scale),
+            &[Torque::ConstantBody { moment: Vector3::new(0.3, -0.2, 0.1) * scale * scale * scale }],
+        );
+        let times = grid(20.0, 10);
+        let faster_times: Vec<f64> = times.iter().map(|time| time / scale).collect();
+        let (mut one, mut other) = (taylor(&reference), taylor(&faster));
+        let (mut slow, mut fast) = (States::default(), States::default());
+        one.fill(&times, &mut slow).expect("a finite motion");
+        other.fill(&faster_times, &mut fast).expect("a finite motion");
+        assert_eq!(one.effort(), other.effort());
+        assert_eq!(slow.attitude, fast.attitude);
+    }
+}
+
+#[test]
+fn what_starts_from_rest_gets_going() {
+    for (name, torque) in every_torque() {
+        let states = run(taylor(&problem(MOMENTS, [0.0; 3], &[torque])), &[0.0, 5.0]);
+        let moves = Vector3::from(row(&states.angular_velocity, 1)).norm() > 1e-3;
+        assert_eq!(moves, name != "linear damping", "{name}");
+    }
+}
+
+#[test]
+fn rates_alone_need_no_attitude() {
+    let torques = [every_torque()[0].1, every_torque()[2].1];
+    let mut problem = problem(MOMENTS, RATES, &torques);
+    let times = grid(10.0, 20);
+    let with = run(taylor(&problem), &times);
+    problem.wants_attitude = false;
+    let without = run(taylor(&problem), &times);
+    assert!(without.attitude[0].is_empty());
+    for i in 0..times.len() {
+        let found = Vector3::from(row(&without.angular_velocity, i));
+        assert!((found - Vector3::from(row(&with.angular_velocity, i))).norm() < 1e-14);
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let force = Torque::ForceWorld { force: Vector3::x(), arm: Vector3::zeros() };
+    let mut massless = problem(MOMENTS, RATES, &[force]);
+    massless.mass = None;
+    assert!(Taylor::new(&massless, TIGHTEST).is_ok());
+    massless.wants_translation = true;
+    let orbits = [0.1, 0.2].map(|mean_motion| Torque::GravityGradient { mean_motion });
+    let refused = |problem: &Problem, tolerance: f64| {
+        matches!(Taylor::new(problem, tolerance), Err(PropagationError::NotCovered { method: "Taylor", .. }))
+    };
+    assert!(refused(&massless, TIGHTEST));
+    assert!(refused(&problem(MOMENTS, RATES, &orbits), TIGHTEST));
+    for tolerance in [0.0, 1.0, -1e-9, f64::NAN, f64::INFINITY] {
+        assert!(refused(&problem(MOMENTS, RATES, &[]), tolerance), "{tolerance}");
+    }
+    let mut propagator = taylor(&problem(MOMENTS, RATES, &[]));
+    let mut states = States::default();
+    for times in [[1.0, 0.5], [f64::NAN, 1.0], [1.0, f64::INFINITY], [-1.0, 0.0]] {
+        let found = propagator.fill(&times, &mut states);
+        assert!(matches!(found, Err(PropagationError::NotAscending { .. })), "{times:?}: {found:?}");
+    }
+}
+
+#[test]
+fn a_motion_that_overflows_ends_with_its_time() {
+    // The rates double in every second of a push that starts at t = 3, and soon have no square.
+    let mut problem = problem(MOMENTS, [1e-9, 0.0, 0.0], &[Torque::ConstantBody { moment: Vector3::repeat(1e308) }]);
+    problem.loads[0].window.start = 3.0;
+    let found = taylor(&problem).fill(&[1.0, 4.0], &mut States::default());
+    assert_eq!(found, Err(PropagationError::NotFinite { time: 3.0 }));
+}
+
+#[test]
+fn turned_worlds_give_turned_motions() {
+    // Isotropy: turn the first attitude and every world vector, and the motion turns with them.
+    let turn = Attitude::new([0.6, 0.0, 0.8, 0.0]).expect("a unit quaternion");
+    let moment = Vector3::new(-0.1, 0.25, 0.2);
+    let here = problem(MOMENTS, RATES, &[Torque::ConstantWorld { moment }]);
+    let mut there = problem(MOMENTS, RATES, &[Torque::ConstantWorld { moment: turn.to_world(&moment) }]);
+    let turned = turn.world_from_body() * here.initial.attitude.world_from_body();
+    there.initial.attitude = Attitude::from_world_from_body(turned);
+    let times = grid(10.0, 20);
+    let (here, there) = (run(taylor(&here), &times), run(taylor(&there), &times));
+    for i in 0..times.len() {
+        let expected = turn.world_from_body() * state(&here, i).attitude.world_from_body();
+        assert!(state(&there, i).attitude.angle_to(Attitude::from_world_from_body(expected)) < 1e-13);
+    }
+}
