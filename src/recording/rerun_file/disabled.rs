@@ -1,0 +1,42 @@
+use std::path::Path;
+
+use crate::recording::picture::Picture;
+use crate::recording::{Contents, PartFile, RecordingError, Sink};
+use crate::scenario::Plan;
+use crate::telemetry::Samples;
+
+/// The format that this build leaves out: there is no value of this type.
+#[derive(Debug)]
+pub enum RerunFile {}
+
+impl RerunFile {
+    /// Refuses.
+    ///
+    /// # Errors
+    /// Always [`RecordingError::FormatAbsent`].
+    pub fn create(_plan: &Plan, _picture: &Picture, file: PartFile) -> Result<Self, RecordingError> {
+        Err(absent(file.path()))
+    }
+}
+
+impl Sink for RerunFile {
+    fn write(&mut self, _samples: &Samples) -> Result<(), RecordingError> {
+        match *self {}
+    }
+
+    fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
+        match *self {}
+    }
+}
+
+/// Refuses.
+///
+/// # Errors
+/// Always [`RecordingError::FormatAbsent`].
+pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
+    Err(absent(path))
+}
+
+fn absent(path: &Path) -> RecordingError {
+    RecordingError::FormatAbsent { path: path.to_path_buf(), feature: "rerun" }
+}

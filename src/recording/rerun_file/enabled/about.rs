@@ -1,0 +1,84 @@
+use std::fmt::Write as _;
+
+use re_sdk_types::archetypes::{TextDocument, TextLog};
+use re_sdk_types::components::TextLogLevel;
+
+use super::layout::playback_speed;
+use super::trail::Cut;
+use crate::recording::picture::Picture;
+use crate::scenario::{Plan, PlannedBody};
+use crate::telemetry::Channel;
+
+/// The scene in words: what it is, what to see, what was done, where it comes from.
+pub(super) fn document(plan: &Plan, picture: &Picture) -> TextDocument {
+    let mut text = format!("### {}\n\n{}\n\n", plan.title, plan.summary);
+    text += &legend(plan, picture);
+    text += "\n#### Bodies\n\n";
+    text += "| body | mass (kg) | principal moments (kg m²) | method | because |\n|---|---|---|---|---|\n";
+    for body in &plan.bodies {
+        text += &row(body);
+    }
+    text += &provenance(plan);
+    let _ = writeln!(text, "\nScene `{}`, recorded by polhode {}.", plan.name, env!("CARGO_PKG_VERSION"));
+    TextDocument::from_markdown(text)
+}
+
+/// What happens to the bodies, in the order of the plan.
+pub(super) fn events(plan: &Plan) -> TextLog {
+    let texts = plan.events.iter().map(|event| match plan.bodies.get(event.body) {
+        Some(body) if plan.bodies.len() > 1 => format!("{}: {}", body.name, event.text),
+        _ => event.text.clone(),
+    });
+    let levels = plan.events.iter().map(|_| TextLogLevel::from(TextLogLevel::INFO));
+    TextLog::update_fields().with_many_text(texts).with_many_level(levels)
+}
+
+/// What the colours and lengths mean.
+fn legend(plan: &Plan, picture: &Picture) -> String {
+    let mut text = String::new();
+    for (body, drawing) in plan.bodies.iter().zip(&picture.bodies) {
+        if drawing.arrows.is_empty() {
+            continue;
+        }
+        let owner = if plan.bodies.len() > 1 { format!(" of {}", body.name) } else { String::new() };
+        let labels: Vec<_> = drawing.arrows.iter().map(|arrow| arrow.label.as_str()).collect();
+        let _ = writeln!(text, "- **Arrows**{owner}: {}", labels.join(", "));
+    }
+    if plan.bodies.iter().any(|body| body.channels.contains(&Channel::Attitude)) {
+        text +=
+            "- **Body axes**, and their curves in the plots: x vermilion, y green, z blue. Grey: the world's axes\n";
+        let reach = match Cut::new(plan, picture).window_s {
+            Some(window) => format!("over the last {} s", number(window)),
+            None => "from the beginning".to_owned(),
+        };
+        let _ = writeln!(text, "- **Yellow trail**: the tip of the body's spin axis, {reach}");
+    }
+    let _ = writeln!(text, "- **Playback**: {} s of motion in a second", number(playback_speed(plan)));
+    text
+}
+
+fn row(body: &PlannedBody) -> String {
+    let mass = body.properties.mass.map_or_else(|| "–".to_owned(), number);
+    let moments: Vec<_> = body.properties.moments.vector().iter().map(|moment| number(*moment)).collect();
+    let reason = body.reason.replace('|', "∣");
+    format!("| {} | {mass} | {} | {} | {reason} |\n", body.name, moments.join(", "), body.path.name())
+}
+
+fn provenance(plan: &Plan) -> String {
+    let mut text = String::new();
+    let parts = [&plan.provenance.source, &plan.provenance.url, &plan.provenance.note];
+    let said: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).map(String::as_str).collect();
+    if !said.is_empty() {
+        let _ = writeln!(text, "\n#### Source\n\n{}", said.join("\n\n"));
+    }
+    text
+}
+
+/// Five significant digits, for people.
+fn number(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
+        let digits = format!("{value:.4e}").parse::<f64>().unwrap_or(value);
+        return format!("{digits}");
+    }
+    format!("{value:.4e}")
+}

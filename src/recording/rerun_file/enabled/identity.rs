@@ -1,0 +1,39 @@
+use re_log_types::{ApplicationId, RecordingId, StoreId, StoreKind};
+use sha2::{Digest as _, Sha256};
+use uuid::Uuid;
+
+use crate::scenario::Plan;
+
+/// The store of the samples. The viewer merges files with equal ids, so equal ids mean equal contents: the id is a hash
+/// of the scene, its name and this crate's version.
+///
+/// # Errors
+/// If Rerun refuses the name.
+pub(super) fn recording(plan: &Plan) -> Result<StoreId, String> {
+    let mut hash = Sha256::new();
+    for part in [env!("CARGO_PKG_VERSION"), plan.name.as_str(), plan.text.as_str()] {
+        hash.update(part.as_bytes());
+        hash.update([0]);
+    }
+    let id = hash.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect::<String>();
+    Ok(StoreId::new(StoreKind::Recording, application(plan)?, RecordingId::from(id)))
+}
+
+/// The store of the layout.
+///
+/// # Errors
+/// If Rerun refuses the name.
+pub(super) fn blueprint(plan: &Plan) -> Result<StoreId, String> {
+    Ok(StoreId::new(StoreKind::Blueprint, application(plan)?, RecordingId::from("layout".to_owned())))
+}
+
+/// One per scene: the viewer keeps one layout per application, and layouts name the scene's bodies.
+fn application(plan: &Plan) -> Result<ApplicationId, String> {
+    ApplicationId::try_new(format!("polhode-{}", plan.name)).map_err(|error| error.to_string())
+}
+
+/// The id of the layout's part `number`. Constant, so that the same layout has the same bytes.
+pub(super) fn part(number: u64) -> Uuid {
+    const POLHODE: u128 = 0x706f_6c68_6f64_4065_8000_0000_0000_0000;
+    Uuid::from_u128(POLHODE | u128::from(number))
+}

@@ -1,0 +1,146 @@
+use std::io::Write;
+
+use nalgebra::Vector3;
+use re_sdk_types::blueprint::archetypes::{Background, EyeControls3D, LineGrid3D, VisibleTimeRanges};
+use re_sdk_types::blueprint::components::{BackgroundKind, ContainerKind, Eye3DKind, VisibleTimeRange};
+use re_sdk_types::components::{Color, Plane3D};
+use re_sdk_types::datatypes::{self, TimeInt, TimeRange, TimeRangeBoundary};
+
+use super::blueprint::{Blueprint, Container, Part, View};
+use super::columns::{SIM_TIME, narrow, single};
+use super::palette;
+use super::statics::BodyEntities;
+use super::stream::{Store, Stream};
+use super::trail::Cut;
+use crate::recording::RecordingError;
+use crate::recording::picture::Picture;
+use crate::scenario::{Plan, nanoseconds};
+
+/// What is on the screen at first: the picture above its explanation, the plots beside them.
+///
+/// # Errors
+/// If it cannot be written.
+pub(super) fn write<W: Write>(
+    stream: &mut Stream<W>,
+    store: Store,
+    plan: &Plan,
+    picture: &Picture,
+) -> Result<(), RecordingError> {
+    let mut blueprint = Blueprint::new(stream, store);
+    let scene = scene(&mut blueprint, plan, picture)?;
+    let words = words(&mut blueprint, plan)?;
+    let left = blueprint.container(&Container {
+        kind: ContainerKind::Vertical,
+        name: "",
+        parts: &[scene, words],
+        shares: &[5.0, 2.0],
+    })?;
+    let right = super::plot_views::write(&mut blueprint, plan)?;
+    let columns: Vec<_> = [Some(left), right].into_iter().flatten().collect();
+    let root = blueprint.container(&Container {
+        kind: ContainerKind::Horizontal,
+        name: "",
+        parts: &columns,
+        shares: &[3.0, 2.0][..columns.len()],
+    })?;
+    blueprint.root(&root, playback_speed(plan))
+}
+
+/// The ground that the picture stands on, so that the eye knows up from down.
+pub(super) struct Floor {
+    /// z, m: below every body, and at the tip of one that stands on a pivot.
+    pub(super) height: f64,
+    /// Extent of the largest body, m.
+    pub(super) size: f64,
+    /// Where the world's axes are drawn: in front of the bodies, on the left, m.
+    pub(super) corner: Vector3<f64>,
+}
+
+impl Floor {
+    pub(super) fn of(plan: &Plan, picture: &Picture) -> Self {
+        let size = picture.bodies.iter().map(|drawing| drawing.extent).fold(0.0, f64::max);
+        let bottoms = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| {
+            let depth = if body.is_pivoted { 0.0 } else { 1.5 * drawing.extent };
+            drawing.position.z - depth
+        });
+        let height = bottoms.reduce(f64::min).unwrap_or(0.0);
+        let view = picture.target - picture.eye;
+        let ahead = Vector3::new(view.x, view.y, 0.0).try_normalize(0.0).unwrap_or_else(Vector3::x);
+        let left = Vector3::z().cross(&ahead);
+        let corner = picture.target + (left * 1.6 - ahead * 0.4) * size;
+        Self { height, size, corner: Vector3::new(corner.x, corner.y, height) }
+    }
+}
+
+/// The picture: camera, floor, and how much of the trails is shown.
+fn scene<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan, picture: &Picture) -> Result<Part, RecordingError> {
+    let contents = ["/world/**".to_owned()];
+    let view = blueprint.view(&View { class: "3D", name: &plan.title, origin: "/world", contents: &contents })?;
+    let eye = EyeControls3D::new()
+        .with_kind(Eye3DKind::Orbital)
+        .with_position(single(&picture.eye))
+        .with_look_target(single(&picture.target))
+        .with_eye_up([0.0_f32, 0.0, 1.0]);
+    blueprint.set(&view.property("EyeControls3D"), &eye)?;
+    let [red, green, blue] = palette::BACKGROUND;
+    let background = Background::new(BackgroundKind::SolidColor).with_color(Color::from_rgb(red, green, blue));
+    blueprint.set(&view.property("Background"), &background)?;
+    let floor = Floor::of(plan, picture);
+    let [red, green, blue, opacity] = palette::GRID;
+    let grid = LineGrid3D::new()
+        .with_visible(true)
+        .with_plane(Plane3D::new([0.0, 0.0, 1.0], narrow(floor.height)))
+        .with_spacing(narrow(round_number(floor.size)))
+        .with_stroke_width(1.0)
+        .with_color(Color::from_unmultiplied_rgba(red, green, blue, opacity));
+    blueprint.set(&view.property("LineGrid3D"), &grid)?;
+    let range = VisibleTimeRanges::new([trace_range(Cut::new(plan, picture))]);
+    for body in &plan.bodies {
+        let entities = BodyEntities::new(&body.name);
+        blueprint.set(&view.overridden(&entities.trail), &range)?;
+        blueprint.set(&view.overridden(&entities.path), &range)?;
+    }
+    Ok(view)
+}
+
+/// From the window's begin to the cursor.
+fn trace_range(cut: Cut) -> VisibleTimeRange {
+    let start = match cut.window_s {
+        Some(window) => TimeRangeBoundary::CursorRelative(TimeInt(-nanoseconds(window))),
+        None => TimeRangeBoundary::Infinite,
+    };
+    let range = TimeRange { start, end: TimeRangeBoundary::CursorRelative(TimeInt(0)) };
+    VisibleTimeRange(datatypes::VisibleTimeRange { timeline: SIM_TIME.into(), range })
+}
+
+/// The explanation, and the events if there are any.
+fn words<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Part, RecordingError> {
+    let contents = ["/about".to_owned()];
+    let about = View { class: "TextDocument", name: "What this is", origin: "/about", contents: &contents };
+    let about = blueprint.view(&about)?;
+    if plan.events.is_empty() {
+        return Ok(about);
+    }
+    let contents = ["/log".to_owned()];
+    let log = blueprint.view(&View { class: "TextLog", name: "Events", origin: "/log", contents: &contents })?;
+    blueprint.container(&Container { kind: ContainerKind::Tabs, name: "", parts: &[about, log], shares: &[] })
+}
+
+/// Seconds of motion in a second of playback: as it is if that takes 10 s to 2 min, else about half a minute in all.
+pub(super) fn playback_speed(plan: &Plan) -> f64 {
+    let duration = plan.grid.end() - plan.grid.time(0);
+    if !duration.is_finite() || duration <= 0.0 || (10.0..=120.0).contains(&duration) {
+        return 1.0;
+    }
+    round_number(duration / 30.0)
+}
+
+/// The nearest of 1, 2, 5 × 10ⁿ below.
+fn round_number(value: f64) -> f64 {
+    if !value.is_normal() {
+        return 1.0;
+    }
+    let power = 10.0_f64.powf(value.log10().floor());
+    let digit = [5.0, 2.0, 1.0].into_iter().find(|digit| digit * power <= value).unwrap_or(1.0);
+    digit * power
+}

@@ -1,0 +1,29 @@
+//! A recording is, in this order: the stores' names, the layout, what never changes, then chunk after chunk of columns.
+//!
+//! * `/body/<name>/plots/<channel>`: every sample, every column as f64, one entity per channel. This is the truth.
+//! * `/time/interval_s` (static) or `/time/time_s`: the exact times; stamps are rounded to ns. With an interval, the
+//!   time of a sample is `step · interval_s`, rounded once, as [`crate::scenario::Grid::time`] says.
+//! * `/world/…`: the picture, f32, at the picture's rate: `body/<name>` with its shape and axes, `vectors/<name>/…`,
+//!   `trail/<name>`, `path/<name>`, `axes`.
+//! * `/about`, `/log`: words.
+//!
+//! Timelines: `sim_time`, ns from the start of the run, and `step`, the number of the sample.
+
+mod about;
+mod blueprint;
+mod columns;
+mod file;
+mod identity;
+mod layout;
+mod messages;
+mod moving;
+mod palette;
+mod plot_views;
+mod plots;
+mod read;
+mod statics;
+mod stream;
+mod trail;
+
+pub use file::RerunFile;
+pub use read::contents;

@@ -1,0 +1,22 @@
+//! Okabe and Ito's colours, told apart with any kind of colour vision, and the greys between them.
+
+/// Of x, in plots and of axes.
+pub(super) const X: [u8; 3] = [213, 94, 0];
+/// Of y.
+pub(super) const Y: [u8; 3] = [0, 158, 115];
+/// Of z.
+pub(super) const Z: [u8; 3] = [86, 180, 233];
+/// Of w, and of single curves.
+pub(super) const W: [u8; 3] = [240, 228, 66];
+/// Of the trail.
+pub(super) const TRAIL: [u8; 3] = [240, 228, 66];
+/// Of the path of the reference point.
+pub(super) const PATH: [u8; 3] = [150, 150, 150];
+/// Of the world's axes.
+pub(super) const WORLD: [u8; 3] = [170, 170, 170];
+/// Of the floor's grid: red, green, blue, opacity.
+pub(super) const GRID: [u8; 4] = [140, 150, 160, 50];
+/// Of what is behind everything.
+pub(super) const BACKGROUND: [u8; 3] = [21, 23, 27];
+/// Of the line at zero in plots.
+pub(super) const ZERO: [u8; 3] = [90, 90, 90];

@@ -1,0 +1,123 @@
+use std::io::Write;
+
+use re_sdk_types::blueprint::archetypes::{PlotLegend, TimeAxis};
+use re_sdk_types::blueprint::components::{self, ContainerKind, Corner2D, LinkAxis};
+use re_sdk_types::datatypes::{TimeInt, TimeRange, TimeRangeBoundary};
+
+use super::blueprint::{Blueprint, Container, Part, View};
+use super::plots::{ZERO, entity};
+use crate::recording::RecordingError;
+use crate::scenario::{Plan, PlannedBody, nanoseconds};
+use crate::telemetry::Channel;
+
+/// Channels that share a plot, and its title: what people look at first comes first. Never a drift beside its quantity.
+const PLOTS: [(&str, &[Channel]); 12] = [
+    ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
+    ("L in world axes (N m s)", &[Channel::AngularMomentumWorld]),
+    ("τ in body axes (N m)", &[Channel::MomentBody]),
+    (
+        "energy (J)",
+        &[Channel::RotationalEnergy, Channel::TranslationalEnergy, Channel::PotentialEnergy, Channel::TotalEnergy],
+    ),
+    ("drift, relative (1e-15)", &[Channel::EnergyDrift, Channel::MomentumDrift]),
+    ("position in world axes (m)", &[Channel::Position]),
+    ("velocity in world axes (m/s)", &[Channel::Velocity]),
+    ("force in world axes (N)", &[Channel::ForceWorld]),
+    ("ω in world axes (rad/s)", &[Channel::AngularVelocityWorld]),
+    ("L in body axes (N m s)", &[Channel::AngularMomentumBody]),
+    ("τ in world axes (N m)", &[Channel::MomentWorld]),
+    ("attitude quaternion, world from body", &[Channel::Attitude]),
+];
+
+/// Plots on the screen at once; the rest are tabs of the last.
+const VISIBLE: usize = 4;
+
+/// Bodies that get a plot each; more share one.
+const SEPARATE: usize = 4;
+
+/// The plots of what is recorded, or `None` if nothing is.
+///
+/// One body has its plots below each other. Several have a tab for each quantity, and in it a plot for each body: nine
+/// curves in one plot are no longer told apart.
+///
+/// # Errors
+/// If they cannot be written.
+pub(super) fn write<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Option<Part>, RecordingError> {
+    let mut plots = PlotViews { blueprint, times: whole_run(plan) };
+    let mut parts = Vec::new();
+    for (title, channels) in PLOTS {
+        parts.extend(plots.quantity(title, channels, &plan.bodies)?);
+    }
+    if parts.len() <= 1 {
+        return Ok(parts.pop());
+    }
+    if plan.bodies.len() > 1 {
+        return plots.container(ContainerKind::Tabs, "", &parts).map(Some);
+    }
+    if parts.len() > VISIBLE {
+        let rest = parts.split_off(VISIBLE - 1);
+        parts.push(plots.container(ContainerKind::Tabs, "", &rest)?);
+    }
+    plots.container(ContainerKind::Vertical, "", &parts).map(Some)
+}
+
+/// A time axis from the first to the last sample: what the viewer would show is a minute around the cursor.
+fn whole_run(plan: &Plan) -> TimeAxis {
+    let at = |time| TimeRangeBoundary::Absolute(TimeInt(nanoseconds(time)));
+    let range = TimeRange { start: at(plan.grid.time(0)), end: at(plan.grid.end()) };
+    TimeAxis::new().with_link(LinkAxis::Independent).with_view_range(components::TimeRange(range))
+}
+
+/// Adds plots to a layout.
+struct PlotViews<'a, 'b, W> {
+    blueprint: &'a mut Blueprint<'b, W>,
+    times: TimeAxis,
+}
+
+impl<W: Write> PlotViews<'_, '_, W> {
+    fn container(&mut self, kind: ContainerKind, name: &str, parts: &[Part]) -> Result<Part, RecordingError> {
+        self.blueprint.container(&Container { kind, name, parts, shares: &[] })
+    }
+
+    /// One quantity of all bodies, or `None` if no body has it.
+    fn quantity(
+        &mut self,
+        title: &str,
+        channels: &[Channel],
+        bodies: &[PlannedBody],
+    ) -> Result<Option<Part>, RecordingError> {
+        let is_scalar = channels.iter().all(|channel| channel.width() == 1);
+        let is_recorded = |body: &&PlannedBody| channels.iter().any(|channel| body.channels.contains(channel));
+        let having: Vec<_> = bodies.iter().filter(is_recorded).collect();
+        if having.is_empty() {
+            return Ok(None);
+        }
+        if having.len() == 1 || is_scalar || having.len() > SEPARATE {
+            return self.view(title, channels, &having).map(Some);
+        }
+        let mut views = Vec::with_capacity(having.len());
+        for body in having {
+            views.push(self.view(&format!("{}: {title}", body.name), channels, &[body])?);
+        }
+        self.container(ContainerKind::Vertical, title, &views).map(Some)
+    }
+
+    /// One plot.
+    fn view(&mut self, name: &str, channels: &[Channel], bodies: &[&PlannedBody]) -> Result<Part, RecordingError> {
+        let mut contents = Vec::new();
+        for body in bodies {
+            let recorded = channels.iter().filter(|channel| body.channels.contains(channel));
+            contents.extend(recorded.map(|channel| entity(&body.name, *channel)));
+        }
+        if channels.contains(&Channel::TotalEnergy) {
+            // Alone, a constant energy would fill its plot with rounding errors.
+            contents.push(ZERO.to_owned());
+        }
+        let view = View { class: "TimeSeries", name, origin: "/", contents: &contents };
+        let part = self.blueprint.view(&view)?;
+        let legend = PlotLegend::new().with_corner(Corner2D::RightTop);
+        self.blueprint.set(&part.property("PlotLegend"), &legend)?;
+        self.blueprint.set(&part.property("TimeAxis"), &self.times)?;
+        Ok(part)
+    }
+}

@@ -1,0 +1,133 @@
+use std::io::Write;
+
+use re_sdk_types::archetypes::{Scalars, SeriesLines};
+use re_sdk_types::components::{Color, Name};
+
+use super::columns::{scalars, timelines};
+use super::palette;
+use super::stream::{Rows, Store, Stream};
+use crate::recording::RecordingError;
+use crate::scenario::{Grid, Plan, nanoseconds};
+use crate::telemetry::{Channel, Samples};
+
+/// Entity of the exact times, where the grid is a list, s.
+const TIME: &str = "/time/time_s";
+
+/// Entity of the exact sampling interval, where it is one, s.
+const INTERVAL: &str = "/time/interval_s";
+
+/// Entity of the line at zero that energies are seen against.
+pub(super) const ZERO: &str = "/zero";
+
+/// Every channel of every body, every sample, to the last bit.
+pub(super) struct Plots {
+    entities: Vec<Vec<(Channel, String)>>,
+    lists_times: bool,
+}
+
+/// Where the columns of `channel` are logged.
+pub(super) fn entity(body: &str, channel: Channel) -> String {
+    format!("/body/{body}/plots/{}", channel.row().name)
+}
+
+impl Plots {
+    /// Logs the curves' names and colours, and the sampling interval.
+    ///
+    /// # Errors
+    /// If they cannot be written.
+    pub(super) fn begin<W: Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Result<Self, RecordingError> {
+        let mut entities = Vec::with_capacity(plan.bodies.len());
+        for body in &plan.bodies {
+            let owner = if plan.bodies.len() > 1 { body.name.as_str() } else { "" };
+            let of_body: Vec<_> =
+                body.channels.iter().map(|channel| (*channel, entity(&body.name, *channel))).collect();
+            for (channel, entity) in &of_body {
+                stream.once(store, entity, &[], &curves(*channel, owner))?;
+            }
+            entities.push(of_body);
+        }
+        write_zero(stream, store, plan)?;
+        if let Grid::Uniform { every_s, .. } = plan.grid {
+            stream.once(store, INTERVAL, &[], &Scalars::new([every_s]))?;
+        }
+        Ok(Self { entities, lists_times: matches!(plan.grid, Grid::List(_)) })
+    }
+
+    /// Logs one batch.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub(super) fn write<W: Write>(
+        &self,
+        stream: &mut Stream<W>,
+        store: Store,
+        rows: Rows<'_>,
+        samples: &Samples,
+    ) -> Result<(), RecordingError> {
+        if self.lists_times {
+            stream.columns(store, TIME, rows, [scalars(std::slice::from_ref(&samples.times_s))])?;
+        }
+        for (entities, body) in self.entities.iter().zip(&samples.bodies) {
+            for (channel, entity) in entities {
+                if let Some(columns) = body.channel(*channel) {
+                    stream.columns(store, entity, rows, [scalars(columns)])?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Logs a line from the first to the last sample.
+fn write_zero<W: Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Result<(), RecordingError> {
+    let [red, green, blue] = palette::ZERO;
+    let style = SeriesLines::new().with_names(["0"]).with_colors([Color::from_rgb(red, green, blue)]);
+    stream.once(store, ZERO, &[], &style)?;
+    let stamps = [plan.grid.time(0), plan.grid.end()].map(nanoseconds);
+    let steps = [0, plan.grid.len().saturating_sub(1).cast_signed()];
+    let times = timelines(stamps.to_vec(), steps.to_vec());
+    stream.columns(store, ZERO, Rows { count: 2, times: &times }, [scalars(&[vec![0.0; 2]])])
+}
+
+/// The curves of a channel: their names (the view's title says the unit) and colours.
+fn curves(channel: Channel, owner: &str) -> SeriesLines {
+    let row = channel.row();
+    let names = row.components.iter().map(|component| {
+        let parts = [owner, symbol(channel), component];
+        let words: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        Name::from(words.join(" "))
+    });
+    let colours = colours(channel).iter().map(|[red, green, blue]| Color::from_rgb(*red, *green, *blue));
+    SeriesLines::new().with_names(names).with_colors(colours).with_widths(vec![1.5_f32; row.components.len()])
+}
+
+/// What a legend has room for.
+fn symbol(channel: Channel) -> &'static str {
+    match channel {
+        Channel::Attitude => "q",
+        Channel::AngularVelocity | Channel::AngularVelocityWorld => "ω",
+        Channel::AngularMomentumWorld | Channel::AngularMomentumBody => "L",
+        Channel::MomentBody | Channel::MomentWorld => "τ",
+        Channel::Position => "r",
+        Channel::Velocity => "v",
+        Channel::ForceWorld => "F",
+        Channel::RotationalEnergy => "rotational",
+        Channel::TranslationalEnergy => "translational",
+        Channel::PotentialEnergy => "potential",
+        Channel::TotalEnergy => "total",
+        Channel::EnergyDrift => "energy",
+        Channel::MomentumDrift => "momentum",
+    }
+}
+
+/// Of a channel's curves: x, y, z as the axes in the picture, and four scalars that may share a plot.
+fn colours(channel: Channel) -> &'static [[u8; 3]] {
+    match channel {
+        Channel::Attitude => &[palette::W, palette::X, palette::Y, palette::Z],
+        Channel::RotationalEnergy | Channel::EnergyDrift => &[palette::X],
+        Channel::TranslationalEnergy => &[palette::Y],
+        Channel::PotentialEnergy | Channel::MomentumDrift => &[palette::Z],
+        Channel::TotalEnergy => &[palette::W],
+        _ => &[palette::X, palette::Y, palette::Z],
+    }
+}

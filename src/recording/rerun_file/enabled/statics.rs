@@ -1,0 +1,164 @@
+use std::io::Write;
+
+use nalgebra::Vector3;
+use re_sdk_types::archetypes::{Arrows3D, LineStrips3D, Mesh3D, Points3D, RecordingInfo, Transform3D, ViewCoordinates};
+use re_sdk_types::components::{Color, Radius};
+use re_sdk_types::datatypes::Rgba32;
+
+use super::columns::{narrow, single};
+use super::layout::Floor;
+use super::palette;
+use super::stream::{Store, Stream};
+use crate::recording::RecordingError;
+use crate::recording::picture::{Arrow, BodyPicture, Picture, Quantity};
+use crate::scenario::{Plan, PlannedBody};
+use crate::telemetry::Channel;
+
+/// How far the body's axes and the trail's point are from the reference point, in units of the body's extent.
+pub(super) const TIP: f64 = 1.3;
+
+/// Where an arrow's label is, in units of its length.
+pub(super) const LABEL: f64 = 1.08;
+
+/// Radius of a vector's arrow, in units of the body's extent.
+const ARROW: f64 = 0.02;
+
+/// Radius of an axis' arrow, in units of the body's extent.
+const AXIS: f64 = 0.011;
+
+/// Where a body's parts are logged. All bodies have a folder of their own: no body's name can meet another entity's.
+pub(super) struct BodyEntities {
+    name: String,
+    /// Attitude and position; its children turn with it.
+    pub(super) body: String,
+    /// Of the spin axis' tip.
+    pub(super) trail: String,
+    /// Of the reference point.
+    pub(super) path: String,
+}
+
+impl BodyEntities {
+    pub(super) fn new(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            body: format!("/world/body/{name}"),
+            trail: format!("/world/trail/{name}"),
+            path: format!("/world/path/{name}"),
+        }
+    }
+
+    /// Of a vector, in world axes.
+    pub(super) fn arrow(&self, quantity: Quantity) -> String {
+        let (_, _, word) = quantity.words();
+        format!("/world/vectors/{}/{word}", self.name)
+    }
+}
+
+/// Logs everything in the picture that does not move, and of what moves all that does not change.
+///
+/// # Errors
+/// If it cannot be written.
+pub(super) fn write<W: Write>(
+    stream: &mut Stream<W>,
+    store: Store,
+    plan: &Plan,
+    picture: &Picture,
+) -> Result<(), RecordingError> {
+    stream.once(store, "/__properties", &[], &RecordingInfo::new().with_name(plan.title.as_str()))?;
+    stream.once(store, "/world", &[], &ViewCoordinates::RIGHT_HAND_Z_UP())?;
+    let floor = Floor::of(plan, picture);
+    Axes { origin: floor.corner, length: floor.size * 0.5, radius: floor.size * AXIS, colours: [palette::WORLD; 3] }
+        .write(stream, store, "/world/axes")?;
+    for (body, drawing) in plan.bodies.iter().zip(&picture.bodies) {
+        let entities = BodyEntities::new(&body.name);
+        if body.channels.contains(&Channel::Attitude) {
+            write_body(stream, store, (body, drawing), &entities)?;
+        }
+        for arrow in &drawing.arrows {
+            let entity = entities.arrow(arrow.quantity);
+            stream.once(store, &entity, &[], &arrow_style(arrow, drawing.extent))?;
+            stream.once(store, &entity, &[], &label_style([arrow.label.as_str()], [arrow.colour]))?;
+        }
+    }
+    Ok(())
+}
+
+fn write_body<W: Write>(
+    stream: &mut Stream<W>,
+    store: Store,
+    (body, drawing): (&PlannedBody, &BodyPicture),
+    entities: &BodyEntities,
+) -> Result<(), RecordingError> {
+    if !body.channels.contains(&Channel::Position) {
+        let place = Transform3D::update_fields().with_translation(single(&drawing.position));
+        stream.once(store, &entities.body, &[], &place)?;
+    }
+    for (number, surface) in body.surfaces.iter().enumerate() {
+        let mesh = Mesh3D::new(surface.vertices.iter().copied())
+            .with_vertex_normals(surface.normals.iter().copied())
+            .with_triangle_indices(surface.triangles.iter().copied())
+            .with_albedo_factor(rgba(drawing.colour));
+        stream.once(store, &format!("{}/shape/{number}", entities.body), &[], &mesh)?;
+    }
+    Axes {
+        origin: Vector3::zeros(),
+        length: drawing.extent * TIP,
+        radius: drawing.extent * AXIS,
+        colours: [palette::X, palette::Y, palette::Z],
+    }
+    .write(stream, store, &format!("{}/axes", entities.body))?;
+    let width = drawing.extent * 0.006;
+    stream.once(store, &entities.trail, &[], &line_style(palette::TRAIL, width))?;
+    stream.once(store, &entities.path, &[], &line_style(palette::PATH, width))
+}
+
+/// Three arrows along x, y, z with their names at their tips.
+struct Axes {
+    origin: Vector3<f64>,
+    length: f64,
+    radius: f64,
+    colours: [[u8; 3]; 3],
+}
+
+impl Axes {
+    fn write<W: Write>(&self, stream: &mut Stream<W>, store: Store, entity: &str) -> Result<(), RecordingError> {
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let arrows = Arrows3D::from_vectors(axes.map(|axis| single(&(axis * self.length))))
+            .with_origins([single(&self.origin); 3])
+            .with_radii([scene(self.radius)])
+            .with_colors(self.colours.map(rgb));
+        stream.once(store, entity, &[], &arrows)?;
+        let tips = axes.map(|axis| single(&(self.origin + axis * (self.length * LABEL))));
+        stream.once(store, entity, &[], &label_style(["x", "y", "z"], self.colours).with_positions(tips))
+    }
+}
+
+fn arrow_style(arrow: &Arrow, extent: f64) -> Arrows3D {
+    Arrows3D::update_fields().with_radii([scene(extent * ARROW)]).with_colors([rgb(arrow.colour)])
+}
+
+/// Points too small to see, with words at them. An arrow's own label is at its middle, inside the body.
+fn label_style<const N: usize>(labels: [&str; N], colours: [[u8; 3]; N]) -> Points3D {
+    Points3D::update_fields()
+        .with_radii([Radius::new_ui_points(0.0)])
+        .with_colors(colours.map(rgb))
+        .with_labels(labels)
+        .with_show_labels(true)
+}
+
+fn line_style(colour: [u8; 3], radius: f64) -> LineStrips3D {
+    LineStrips3D::update_fields().with_colors([rgb(colour)]).with_radii([scene(radius)])
+}
+
+/// In metres, not in points of the screen.
+fn scene(radius: f64) -> Radius {
+    Radius::new_scene_units(narrow(radius))
+}
+
+fn rgb([red, green, blue]: [u8; 3]) -> Color {
+    Color::from_rgb(red, green, blue)
+}
+
+fn rgba([red, green, blue, opacity]: [u8; 4]) -> Rgba32 {
+    Rgba32::from_unmultiplied_rgba(red, green, blue, opacity)
+}
