@@ -143,12 +143,6 @@ impl From<f64> for DoubleDouble {
     }
 }
 
-impl From<DoubleDouble> for f64 {
-    fn from(x: DoubleDouble) -> Self {
-        x.hi
-    }
-}
-
 impl Neg for DoubleDouble {
     type Output = Self;
     fn neg(self) -> Self {

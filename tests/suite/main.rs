@@ -16,3 +16,5 @@ mod forced_oracle;
 mod motions;
 mod order;
 mod torque_laws;
+mod free_laws;
+mod numerics;

@@ -5,7 +5,7 @@ use crate::numerics::{DoubleDouble, Turn};
 /// P = e^(−πK/2K′) ≤ 0.044. [DLMF] 20.7(viii).
 ///
 /// With T = 2K′/K and κ = 2s/πT, θ₄(v − i s) is the sum of exp(−d²/πT + iκd), d = v − (n + ½)π, over all integers n, up to
-/// a constant; θ₁ is the same with alternating signs. Each term is a Gaussian around one passage of the saddle, and on
+/// a factor; θ₁ is the same with alternating signs. Each term is a Gaussian around one passage of the saddle, and on
 /// the separatrix two of them are left. Nothing cancels, however near it is.
 #[derive(Debug, Clone, Copy)]
 pub struct FlipSum {

@@ -14,7 +14,8 @@ pub trait Theta: Copy {
     /// (sn u, cn u, dn u).
     fn jacobi(&self, at: Self::Place) -> [f64; 3];
 
-    /// θ₄(v − i s) and θ₁(v − i s), up to factors of the implementation's own that do not depend on v.
+    /// θ₄(v − i s) and θ₁(v − i s), up to a positive factor common to both and a constant one of θ₁ alone: the
+    /// implementation's own.
     fn pair(&self, at: Self::Place) -> ThetaPair;
 }
 
