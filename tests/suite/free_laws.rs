@@ -180,6 +180,31 @@ fn rates_alone_are_the_rates_with_attitude_and_batches_do_not_matter() {
 }
 
 #[test]
+fn units_do_not_matter_to_the_last_bit() {
+    // Powers of two, so that the inputs scale exactly: 1e-75 to 1e75 of kg m² and rad/s.
+    let instants = times();
+    for (moments, omega) in [
+        ([3.0, 1.0, 2.0], [0.3, -5.0, 0.4]),
+        ([3.0, 1.0, 2.0], [1e-3, 1e-3, 5.0]),
+        ([1.0, 1.6, 1.0], [0.3, -5.0, 0.4]),
+        ([1.0, 1.0, 1.0], [0.3, -5.0, 0.4]),
+        ([1.0, 2.0, 2.25], [0.75, -2.0, 1.0]),
+    ] {
+        let plain = states(&problem(moments, omega), &instants);
+        for power in [-250, 250] {
+            let unit = 2.0_f64.powi(power);
+            let scaled = problem(moments.map(|moment: f64| moment * unit), omega.map(|rate: f64| rate * unit));
+            let other = states(&scaled, &instants.iter().map(|time| time / unit).collect::<Vec<_>>());
+            assert_eq!(plain.attitude, other.attitude, "{moments:?} × 2^{power}");
+            for axis in 0..3 {
+                let back: Vec<f64> = other.angular_velocity[axis].iter().map(|rate| rate / unit).collect();
+                assert_eq!(plain.angular_velocity[axis], back, "{moments:?} × 2^{power}");
+            }
+        }
+    }
+}
+
+#[test]
 fn reference_point_falls_while_the_body_tumbles() {
     let mut falling = problem([1.0, 2.0, 3.0], [1.0, 2.0, 1.5]);
     falling.wants_translation = true;
@@ -199,7 +224,9 @@ fn loads_and_disordered_times_are_refused() {
     let mut states = States::default();
     let disordered = motion.fill(&[1.0, 0.5], &mut states);
     assert_eq!(disordered, Err(PropagationError::NotAscending { time: 0.5, previous: 1.0 }));
-    assert_eq!(motion.fill(&[f64::NAN], &mut states), Err(PropagationError::NotFinite { time: 1.0 }));
+    for endless in [f64::NAN, f64::INFINITY, f64::MAX] {
+        assert_eq!(motion.fill(&[endless], &mut states), Err(PropagationError::NotFinite { time: 1.0 }));
+    }
 }
 
 /// Moments of two to five random points: always those of a possible body, in any order.

@@ -56,8 +56,8 @@ impl Start {
     ///
     /// As a pair of complex numbers a = w + iz, b = x + iy: conj(a) b = (l₂ − i l₁)/2 for l = L/|L|.
     pub fn momentum_frame_from_primed(&self, [cos, sin]: [f64; 2]) -> ExactQuaternion {
-        let size = self.momentum_size();
-        let [l1, l2, l3] = self.momentum().map(|component| component / size);
+        let over_size = self.momentum_size().recip();
+        let [l1, l2, l3] = self.momentum().map(|component| component * over_size);
         let swing = ExactQuaternion::normalised([DoubleDouble::ONE + l3, l2, -l1, DoubleDouble::ZERO]);
         let zero = DoubleDouble::ZERO;
         ExactQuaternion::normalised([cos.into(), zero, zero, sin.into()]).times(swing)

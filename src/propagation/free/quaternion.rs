@@ -10,8 +10,8 @@ impl ExactQuaternion {
     /// The unit quaternion along these components.
     pub fn normalised(components: [DoubleDouble; 4]) -> Self {
         let [w, x, y, z] = components;
-        let norm = (w.square() + x.square() + y.square() + z.square()).sqrt();
-        Self(components.map(|component| component / norm))
+        let over_norm = (w.square() + x.square() + y.square() + z.square()).sqrt().recip();
+        Self(components.map(|component| component * over_norm))
     }
 
     /// Hamilton's product.

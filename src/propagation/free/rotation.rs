@@ -13,14 +13,17 @@ use crate::propagation::{Effort, PropagationError, Propagator, States};
 
 /// The torque-free motion, exactly: any principal moments, any ω, any time, at the cost of one evaluation a sample.
 ///
-/// Inputs are taken as exact, the quaternion normalised beyond its last bit. Attitudes are then within about 1e-15 rad and ω within about
-/// 1e-15 of its size, at any time. The quaternion keeps the sign of the start and follows the motion without jumps of sign.
+/// Inputs are taken as exact, the quaternion normalised beyond its last bit. Attitudes are then within 1e-15 rad and ω
+/// within 1e-15 of its size, at any time and however near the separatrix. The quaternion starts with the sign it was given
+/// and follows the motion without jumps.
 #[derive(Debug, Clone)]
 pub struct FreeRotation {
     branch: Branch,
     translation: Option<Ballistic>,
     wants_attitude: bool,
     last_time: f64,
+    /// Times beyond it would overflow the phases, s.
+    horizon: f64,
     evaluations: u64,
 }
 
@@ -40,6 +43,9 @@ impl FreeRotation {
 
     /// A component of ω below this fraction of the largest counts as zero: its square times a moment would underflow.
     pub const NEGLIGIBLE: f64 = 1e-120;
+
+    /// Times, and angles turned since t = 0 in rad, beyond this are refused as not finite.
+    pub const LARGEST_ANGLE: f64 = 1e280;
 
     /// The motion of this problem.
     ///
@@ -61,6 +67,7 @@ impl FreeRotation {
             translation: problem.wants_translation.then(|| Ballistic::new(problem)),
             wants_attitude: problem.wants_attitude,
             last_time: 0.0,
+            horizon: Self::LARGEST_ANGLE / problem.initial.angular_velocity.in_body().amax().max(1.0),
             evaluations: 0,
         })
     }
@@ -119,7 +126,7 @@ impl Branch {
 impl Propagator for FreeRotation {
     fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
         for &time in times {
-            if !time.is_finite() {
+            if time.is_nan() || time.abs() > self.horizon {
                 return Err(PropagationError::NotFinite { time: self.last_time });
             }
             if time < self.last_time {

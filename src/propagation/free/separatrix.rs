@@ -37,7 +37,10 @@ impl Separatrix {
         let mut this = Self {
             u0,
             rate: polhode.rate.scale(1.0 / scale),
-            secular: Phase { start: DoubleDouble::ZERO, rate: secular_rate / DoubleDouble::PI.scale(2.0 * scale) },
+            secular: Phase {
+                start: DoubleDouble::ZERO,
+                rate: (secular_rate / DoubleDouble::PI.scale(2.0)).scale(1.0 / scale),
+            },
             direction: [cos.hi(), (cos * half_tangent).hi()],
             sense: polhode.sense,
             rates,

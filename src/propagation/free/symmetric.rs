@@ -29,8 +29,9 @@ impl Symmetric {
         // φ₁ about L and φ₂ about 3′, both half-angles: attitude(t) = e^(φ₁ l) attitude(0) e^(φ₂ e₃).
         let about_momentum = start.momentum_size() / j1;
         let about_axis = start.difference(0, 2) / j1 * w3;
+        let per_turn = DoubleDouble::PI.scale(4.0).recip();
         let turns =
-            |rate: DoubleDouble| Phase { start: DoubleDouble::ZERO, rate: rate / DoubleDouble::PI.scale(4.0 * scale) };
+            |rate: DoubleDouble| Phase { start: DoubleDouble::ZERO, rate: (rate * per_turn).scale(1.0 / scale) };
         let at_start = start.momentum_frame_from_primed([1.0, 0.0]);
         let [w, x, y, _] = at_start.0.map(DoubleDouble::hi);
         let destinations = start.frame.destinations();

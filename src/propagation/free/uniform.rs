@@ -22,7 +22,7 @@ impl Uniform {
         let axis = [x, y, z].map(|component| if size.is_zero() { size } else { component / size });
         let turned = attitude.times(ExactQuaternion([DoubleDouble::ZERO, axis[0], axis[1], axis[2]]));
         let (ExactQuaternion(at_cos), ExactQuaternion(at_sin)) = (attitude, turned);
-        let rate = size / DoubleDouble::PI.scale(4.0 * scale);
+        let rate = (size / DoubleDouble::PI.scale(4.0)).scale(1.0 / scale);
         Self {
             omega,
             half_angle: Phase { start: DoubleDouble::ZERO, rate },
