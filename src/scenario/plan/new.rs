@@ -18,11 +18,14 @@ fn plan(scenario: &Scenario) -> Result<Plan, Refusal> {
         return Err(Key::root("body").refuse("a scene needs at least one [[body]]"));
     }
     let bodies = bodies::plan(scenario)?;
+    let or = |text: &str, other: &str| if text.is_empty() { other.to_owned() } else { text.to_owned() };
+    let name = or(&scenario.name, "scene");
     Ok(Plan {
-        name: scenario.name.clone(),
-        title: if scenario.title.is_empty() { scenario.name.clone() } else { scenario.title.clone() },
+        title: or(&scenario.title, &name),
+        name,
         summary: scenario.summary.clone(),
-        text: scenario.text.clone(),
+        // A scene made by a program has no text: what it says identifies its recordings all the same.
+        text: if scenario.text.is_empty() { format!("{scenario:#?}") } else { scenario.text.clone() },
         provenance: scenario.provenance.clone(),
         events: events(&bodies, grid.end()),
         checks: checks::plan(scenario, &bodies, grid.end())?,
