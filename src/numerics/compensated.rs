@@ -1,6 +1,6 @@
 use super::two_sum;
 
-/// A running sum whose rounding errors are kept: as if summed in 106 bits. [Neumaier74].
+/// A running sum whose rounding errors are kept: as if summed in 106 bits. `[Neumaier74]`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Compensated {
     sum: f64,

@@ -5,7 +5,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 ///
 /// Sums, products, quotients and roots are right to a few parts in 2¹⁰⁴ where nothing under- or overflows: magnitudes
 /// from 1e-270 to 1e290. Only IEEE operations, one correctly rounded result each: the same bits on every machine.
-/// Algorithms: [Dekker71], [`HidaLiBailey01`].
+/// Algorithms: `[Dekker71]`, `[HidaLiBailey01]`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct DoubleDouble {
     hi: f64,
@@ -105,6 +105,7 @@ impl DoubleDouble {
     }
 
     /// x², one multiplication cheaper than x × x.
+    #[inline]
     #[must_use]
     pub fn square(self) -> Self {
         let (p, e) = two_prod(self.hi, self.hi);
@@ -119,12 +120,14 @@ impl DoubleDouble {
     }
 
     /// x × 2ⁿ given as that power of two: exact.
+    #[inline]
     #[must_use]
     pub fn scale(self, power_of_two: f64) -> Self {
         Self { hi: self.hi * power_of_two, lo: self.lo * power_of_two }
     }
 
     /// √x; 0 for 0, NaN for a negative number.
+    #[inline]
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.is_zero() {
@@ -145,6 +148,7 @@ impl From<f64> for DoubleDouble {
 
 impl Neg for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
@@ -152,6 +156,7 @@ impl Neg for DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         let (s, e) = two_sum(self.hi, other.hi);
         let (t, f) = two_sum(self.lo, other.lo);
@@ -163,6 +168,7 @@ impl Add for DoubleDouble {
 
 impl Sub for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -170,6 +176,7 @@ impl Sub for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let (p, e) = two_prod(self.hi, other.hi);
         let (hi, lo) = quick_two_sum(p, e + (self.hi * other.lo + self.lo * other.hi));
@@ -179,6 +186,7 @@ impl Mul for DoubleDouble {
 
 impl Mul<f64> for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn mul(self, other: f64) -> Self {
         let (p, e) = two_prod(self.hi, other);
         let (hi, lo) = quick_two_sum(p, e + self.lo * other);
@@ -188,6 +196,7 @@ impl Mul<f64> for DoubleDouble {
 
 impl Div for DoubleDouble {
     type Output = Self;
+    #[inline]
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         let rest = self - other * first;

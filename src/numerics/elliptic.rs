@@ -2,7 +2,7 @@ use super::DoubleDouble;
 
 /// The complete elliptic integral K of the first kind, from the **complementary** modulus k′ = √(1 − m) > 0.
 ///
-/// By the arithmetic-geometric mean; k′ rather than m so that nothing is lost near m = 1. [DLMF] 19.8.5.
+/// By the arithmetic-geometric mean; k′ rather than m so that nothing is lost near m = 1. `[DLMF]` 19.8.5.
 #[must_use]
 pub fn complete_k(complementary_modulus: DoubleDouble) -> DoubleDouble {
     let (mut a, mut g) = (DoubleDouble::ONE, complementary_modulus);
@@ -22,7 +22,7 @@ pub fn complete_k(complementary_modulus: DoubleDouble) -> DoubleDouble {
 
 /// Carlson's symmetric integral `R_F(x, y, z)` of the first kind; not negative, at most one of them zero.
 ///
-/// By duplication, relative error some parts in 2¹⁰⁰. [Carlson95] §2, the series to eleventh order from [DLMF] 19.19.7.
+/// By duplication, relative error some parts in 2¹⁰⁰. `[Carlson95]` §2, the series to eleventh order from `[DLMF]` 19.19.7.
 #[must_use]
 pub fn carlson_rf(x: DoubleDouble, y: DoubleDouble, z: DoubleDouble) -> DoubleDouble {
     // The terms left out are of twelfth order, with a factor below 0.02.

@@ -2,7 +2,7 @@ use super::{Theta, ThetaPair};
 use crate::numerics::{DoubleDouble, Turn};
 
 /// Sums over flips, for K′ ≤ K/2: the same functions after Jacobi's imaginary transformation, in the **other** nome
-/// P = e^(−πK/2K′) ≤ 0.044. [DLMF] 20.7(viii).
+/// P = e^(−πK/2K′) ≤ 0.044. `[DLMF]` 20.7(viii).
 ///
 /// With T = 2K′/K and κ = 2s/πT, θ₄(v − i s) is the sum of exp(−d²/πT + iκd), d = v − (n + ½)π, over all integers n, up to
 /// a factor; θ₁ is the same with alternating signs. Each term is a Gaussian around one passage of the saddle, and on

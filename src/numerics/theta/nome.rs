@@ -114,7 +114,7 @@ impl Theta for NomeSeries {
     }
 }
 
-/// sn, cn, dn as quotients of theta functions of Jacobi's own nome √Q. [DLMF] 20.2, 22.2.
+/// sn, cn, dn as quotients of theta functions of Jacobi's own nome √Q. `[DLMF]` 20.2, 22.2.
 #[derive(Debug, Clone, Copy)]
 struct JacobiSeries {
     /// 2 Q^(n²/2), n = 1 to 4.

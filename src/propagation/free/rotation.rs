@@ -90,7 +90,7 @@ fn scale_of(size: f64) -> f64 {
 impl Branch {
     fn new(moments: [f64; 3], omega: [f64; 3], attitude: ExactQuaternion) -> Self {
         let scale = scale_of(omega.into_iter().fold(0.0, |size, component| size.max(component.abs())));
-        let uniform = Self::Uniform(Uniform::new(omega, scale, attitude));
+        let uniform = || Self::Uniform(Uniform::new(omega, scale, attitude));
         let kilograms = scale_of(moments.into_iter().fold(0.0, f64::max));
         let moments = moments.map(|moment| moment * kilograms);
         let omega = omega.map(|component| {
@@ -98,14 +98,14 @@ impl Branch {
             if scaled.abs() < FreeRotation::NEGLIGIBLE { 0.0 } else { scaled }
         });
         if omega.into_iter().filter(|&component| component != 0.0).count() < 2 {
-            return uniform;
+            return uniform();
         }
         let mut ascending = [0, 1, 2];
         ascending.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
         let [low, middle, high] = ascending;
         let start = |axes| Start::new(Frame::new(axes, omega), moments, omega, attitude);
         match (moments[low] == moments[middle], moments[middle] == moments[high]) {
-            (true, true) => return uniform,
+            (true, true) => return uniform(),
             (true, false) => return Self::Symmetric(Symmetric::new(&start([low, middle, high]), scale)),
             (false, true) => return Self::Symmetric(Symmetric::new(&start([middle, high, low]), scale)),
             (false, false) => {}
