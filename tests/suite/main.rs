@@ -18,3 +18,10 @@ mod order;
 mod torque_laws;
 mod free_laws;
 mod numerics;
+#[cfg(feature = "serde")]
+mod scenarios;
+mod csv_format;
+mod faults;
+#[cfg(feature = "mcap")]
+mod mcap_format;
+mod planned;

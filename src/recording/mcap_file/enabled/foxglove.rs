@@ -195,3 +195,67 @@ impl Color {
         Self { r, g, b, a }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::descriptor::FileDescriptorSet;
+    use super::*;
+
+    /// Number and type of every field of Foxglove's messages, by message and field.
+    fn official() -> BTreeMap<(String, String), (i32, &'static str)> {
+        let mut fields = BTreeMap::new();
+        for (_, bytes) in [FRAME_TRANSFORMS, SCENE_UPDATE, LOG] {
+            let set = FileDescriptorSet::decode(bytes).expect("a descriptor");
+            for message in set.file.into_iter().flat_map(|file| file.message_type) {
+                for field in message.field {
+                    let kind = match field.kind {
+                        1 => "double",
+                        3 => "int64",
+                        5 | 14 => "int32",
+                        7 => "fixed32",
+                        8 => "bool",
+                        9 => "string",
+                        11 => "message",
+                        _ => "another",
+                    };
+                    fields.insert((message.name.clone(), field.name), (field.number, kind));
+                }
+            }
+        }
+        fields
+    }
+
+    /// Every field declared in this file, from its text: message, field, number, type.
+    fn declared() -> Vec<(String, String, i32, String)> {
+        let (mut fields, mut message, mut tag) = (Vec::new(), String::new(), None);
+        for line in include_str!("foxglove.rs").lines().map(str::trim) {
+            if let Some(name) = line.strip_prefix("pub(super) struct ") {
+                message = name.trim_end_matches(" {").into();
+            } else if let Some(rest) = line.strip_prefix("#[prost(") {
+                let kind = rest.split(',').next().unwrap_or_default().to_owned();
+                let number = rest.split('"').nth(1).and_then(|number| number.parse().ok()).expect("a tag");
+                tag = Some((number, kind));
+            } else if let (Some(rest), Some((number, kind))) = (line.strip_prefix("pub "), tag.take()) {
+                let name = rest.split(':').next().unwrap_or_default().to_owned();
+                fields.push((message.clone(), name, number, kind));
+            }
+        }
+        fields
+    }
+
+    #[test]
+    fn messages_are_foxgloves() {
+        let official = official();
+        let declared = declared();
+        assert_eq!(declared.len(), 45, "one entry a field");
+        for (message, field, number, kind) in declared {
+            let messages = if message == "Xyz" { vec!["Vector3", "Point3"] } else { vec![message.as_str()] };
+            for message in messages {
+                let found = official.get(&(message.into(), field.clone()));
+                assert_eq!(found, Some(&(number, kind.as_str())), "{message}.{field}");
+            }
+        }
+    }
+}

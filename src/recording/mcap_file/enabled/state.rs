@@ -106,3 +106,34 @@ fn tuple(name: &str, components: &str) -> MessageDescriptor {
         descriptor.with(FieldDescriptor::double(&component.to_string(), number))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The fields of message `name` as a `.proto` says them: type, name, number.
+    fn fields(file: &FileDescriptor, name: &str) -> Vec<String> {
+        let message = file.message_type.iter().find(|message| message.name == name).expect("described");
+        let field = |field: &FieldDescriptor| {
+            let kind = field.type_name.as_deref().unwrap_or("double");
+            let kind = kind.trim_start_matches(".polhode").trim_start_matches('.');
+            let optional = if field.proto3_optional == Some(true) { "optional " } else { "" };
+            format!("{optional}{kind} {} = {};", field.name, field.number)
+        };
+        message.field.iter().map(field).collect()
+    }
+
+    /// Fails when a channel is added: then add its line. It never fails because a number changed its meaning.
+    #[test]
+    fn the_proto_file_says_what_is_embedded() {
+        let set = FileDescriptorSet::decode(&*descriptor()).expect("a descriptor");
+        let proto = include_str!("../schemas/polhode.proto");
+        for name in ["BodyState", "Quaternion", "Vector3"] {
+            let (_, rest) = proto.split_once(&format!("message {name} {{")).expect("in the file");
+            let (body, _) = rest.split_once('}').expect("closed");
+            let written: Vec<_> = body.lines().filter_map(|line| Some(line.split_once(';')?.0.trim())).collect();
+            let embedded = fields(&set.file[1], name);
+            assert_eq!(written.iter().map(|line| format!("{line};")).collect::<Vec<_>>(), embedded);
+        }
+    }
+}
