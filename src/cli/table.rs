@@ -10,11 +10,6 @@ impl Table {
         self.rows.push(cells.map(Into::into).to_vec());
     }
 
-    /// Whether there is no row.
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
-
     /// Every row on a line of its own behind `indent`.
     pub fn render(&self, indent: &str) -> String {
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);

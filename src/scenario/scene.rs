@@ -351,7 +351,8 @@ pub struct PrecessionRateSpec {
     /// Which body; left out: the first.
     #[cfg_attr(feature = "serde", serde(default))]
     pub body: Option<String>,
-    /// `world`: the body axis goes round `around`, or round L. `body`: ω goes round the body axis.
+    /// `world` (the default): the body axis goes round `around`, or round L. `body`: ω goes round the body axis.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub frame: Frame,
     /// The body's axis, in body axes.
     pub axis: [f64; 3],
