@@ -21,19 +21,13 @@ pub fn in_world(
     let times = evenly(0.0, duration, looks(duration, expected));
     let samples = body.sample(&[Channel::Attitude], &times)?;
     let [w, x, y, z] = samples.columns() else { return Ok(f64::NAN) };
-    let directions = (0..times.len()).map(|index| {
-        UnitQuaternion::new_unchecked(Quaternion::new(w[index], x[index], y[index], z[index])) * axis
-    });
+    let directions = (0..times.len())
+        .map(|index| UnitQuaternion::new_unchecked(Quaternion::new(w[index], x[index], y[index], z[index])) * axis);
     Ok(mean_rate(directions, &around, duration))
 }
 
 /// Mean rate, rad/s, at which ω goes round `axis`, both in body axes.
-pub fn in_body(
-    body: &PlannedBody,
-    axis: &Vector3<f64>,
-    duration: f64,
-    expected: f64,
-) -> Result<f64, PropagationError> {
+pub fn in_body(body: &PlannedBody, axis: &Vector3<f64>, duration: f64, expected: f64) -> Result<f64, PropagationError> {
     let times = evenly(0.0, duration, looks(duration, expected));
     let samples = body.sample(&[Channel::AngularVelocity], &times)?;
     let columns = samples.columns();
@@ -59,12 +53,12 @@ fn mean_rate(directions: impl Iterator<Item = Vector3<f64>>, around: &Vector3<f6
     let Some(first) = pole.cross(&Vector3::ith(least, 1.0)).try_normalize(0.0) else { return f64::NAN };
     let second = pole.cross(&first);
     let mut angles = directions.map(|direction| libm::atan2(direction.dot(&second), direction.dot(&first)));
-    let Some(mut last) = angles.next() else { return f64::NAN };
-    let mut gone = 0.0;
+    let Some(start) = angles.next() else { return f64::NAN };
+    // Whole turns are counted, not added up: a sum of thousands of angles would round as often.
+    let (mut turns, mut last) = (0.0, start);
     for angle in angles {
-        let step = angle - last;
-        gone += step - TAU * ((step + PI) / TAU).floor();
+        turns -= ((angle - last + PI) / TAU).floor();
         last = angle;
     }
-    gone / duration
+    (TAU * turns + (last - start)) / duration
 }

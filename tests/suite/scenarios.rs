@@ -1,0 +1,112 @@
+//! The scenes that come with the program: complete, honest about their sources, and true to the numbers they promise.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path as FilePath;
+
+use polhode::scenario::{Path, Plan, Scenario, library};
+
+/// More than this takes long to record and to load.
+const MOST_SAMPLES: u64 = 100_000;
+
+fn plan(name: &str) -> Plan {
+    let scenario = Scenario::named(name, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
+    Plan::new(&scenario).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn library_holds_every_file_of_the_folder_and_no_other() {
+    let folder = FilePath::new(env!("CARGO_MANIFEST_DIR")).join("scenarios");
+    let files: BTreeSet<String> = fs::read_dir(folder)
+        .expect("the folder of scenes")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .map(|path| path.file_stem().expect("a name").to_string_lossy().into_owned())
+        .collect();
+    let names: Vec<String> = library::names().map(str::to_owned).collect();
+    assert!(names.is_sorted(), "{names:?}");
+    assert_eq!(names.into_iter().collect::<BTreeSet<_>>(), files);
+}
+
+#[test]
+fn scenes_say_what_they_show_and_where_it_comes_from() {
+    for name in library::names() {
+        let text = library::text(name).expect("a scene of that name");
+        assert!(text.starts_with("# "), "{name}: the first line says what to see");
+        let plan = plan(name);
+        let title = plan.title.chars().count();
+        assert!((1..=60).contains(&title) && plan.title != name, "{name}: title of {title} letters");
+        assert!(plan.summary.split_whitespace().count() >= 20, "{name}: summary");
+        let provenance = &plan.provenance;
+        assert!(!provenance.source.is_empty() && !provenance.note.is_empty(), "{name}: provenance");
+        assert!(provenance.url.starts_with("https://"), "{name}: {}", provenance.url);
+        assert!(plan.grid.len() <= MOST_SAMPLES, "{name}: {} samples", plan.grid.len());
+        assert!(plan.checks.len() >= 3, "{name}: {} checks", plan.checks.len());
+    }
+}
+
+#[test]
+fn scenes_pass_their_own_checks() {
+    let mut failed = Vec::new();
+    for name in library::names() {
+        for outcome in plan(name).measure_checks().unwrap_or_else(|error| panic!("{name}: {error}")) {
+            let (expected, measured, tolerance) = (outcome.expected, outcome.measured, outcome.tolerance);
+            let line = format!(
+                "{name}: {}: measured {measured:?}, expected {expected:?}, {:.1e} apart, {tolerance:.0e} allowed",
+                outcome.name,
+                measured - expected
+            );
+            println!("{line}");
+            if !outcome.passed {
+                failed.push(line);
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn free_bodies_take_the_closed_form_and_others_taylor_series() {
+    for name in library::names() {
+        for body in plan(name).bodies {
+            let is_as_expected = match body.path {
+                Path::ClosedForm => body.problem.loads.is_empty(),
+                Path::Taylor { .. } => !body.problem.loads.is_empty(),
+                _ => false,
+            };
+            assert!(is_as_expected, "{name}: {} by {}", body.name, body.path.name());
+        }
+    }
+}
+
+#[test]
+fn scenes_run_to_their_last_sample() {
+    for name in library::names() {
+        let plan = plan(name);
+        let mut run = plan.start().unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (mut count, mut last) = (0, f64::NAN);
+        while let Some(samples) = run.next_batch().unwrap_or_else(|error| panic!("{name}: {error}")) {
+            count += samples.len() as u64;
+            last = *samples.times_s.last().expect("a batch is not empty");
+        }
+        assert_eq!(count, plan.grid.len(), "{name}");
+        assert_eq!(last.to_bits(), plan.grid.end().to_bits(), "{name}");
+    }
+}
+
+#[test]
+fn any_key_can_be_overridden() {
+    let text = library::text("dzhanibekov").expect("the scene");
+    let overrides =
+        ["duration_s=2", "method=rk4", "step_s=0.001", "body.0.angular_velocity_rad_s=[0, 0.5, 6]"].map(str::to_owned);
+    let scenario = Scenario::parse(text, "dzhanibekov", &overrides).expect("a scene with overrides");
+    assert_eq!(scenario.duration_s, Some(2.0));
+    assert_eq!(scenario.body[0].angular_velocity_rad_s, Some([0.0, 0.5, 6.0]));
+    let plan = Plan::new(&scenario).expect("a plan");
+    assert!(matches!(plan.bodies[0].path, Path::Rk4 { .. }));
+    assert_eq!(plan.grid.len(), 401);
+
+    let overrides = ["body.0.angular_velocity=[0, 0.5, 6]".to_owned()];
+    let message = Scenario::parse(text, "dzhanibekov", &overrides).expect_err("no such key").to_string();
+    assert!(message.contains("dzhanibekov (with --set)") && message.contains("angular_velocity"), "{message}");
+}
