@@ -23,6 +23,10 @@ pub fn execute(arguments: &ListArguments) -> io::Result<Outcome> {
         table.row([name, scenario.title.as_str()]);
         values.push(json!({ "name": name, "title": scenario.title, "summary": scenario.summary }));
     }
-    if arguments.json { print_json(&Value::Array(values))? } else { print(&table.render(""))? }
+    if arguments.json {
+        print_json(&Value::Array(values))?
+    } else {
+        print(&table.render(""))?
+    }
     Ok(Outcome::Done)
 }

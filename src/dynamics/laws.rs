@@ -9,7 +9,7 @@ use crate::body::State;
 pub enum EnergyLaw {
     /// Rotational, translational and potential energy together.
     Total,
-    /// On a circular orbit, with the orbit's turning taken into account: E + 3/2 n² r·Ir − n L_z.
+    /// On a circular orbit, with the orbit's turning taken into account: `E + 3/2 n² r·Ir − n L_z`.
     Jacobi {
         /// n, rad/s.
         mean_motion: f64,

@@ -12,8 +12,8 @@ impl Scenario {
     /// # Errors
     /// If the file cannot be read, is no TOML, or holds an unknown key or a value of the wrong type.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, ScenarioError> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| ScenarioError::Io { path: path.to_path_buf(), source })?;
+        let text =
+            std::fs::read_to_string(path).map_err(|source| ScenarioError::Io { path: path.to_path_buf(), source })?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let scenario = Self::parse(&text, &path.display().to_string(), overrides)?;
         Ok(Self { name: name.into_owned(), folder: path.parent().unwrap_or(Path::new("")).to_path_buf(), ..scenario })

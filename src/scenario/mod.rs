@@ -22,4 +22,8 @@ pub use grid::Grid;
 pub use key::{Key, Refusal, Segment};
 pub use planned::{Event, Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
-pub use scene::*;
+pub use scene::{
+    BodySpec, BoxSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec, ForceSpec, ForceSpecs, Frame,
+    GravityGradientSpec, MeshSpec, Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance,
+    RoundSpec, Scenario, SolidSpecs, SphereSpec, TorqueSpecs, TorusSpec, ValueSpec,
+};

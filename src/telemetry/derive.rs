@@ -99,9 +99,7 @@ impl Derivation {
             Channel::ForceWorld => problem.force(time, state),
             Channel::Position => state.position,
             Channel::Velocity => state.velocity,
-            Channel::TranslationalEnergy => {
-                scalar(problem.mass.map_or(0.0, |mass| translational_energy(mass, state)))
-            }
+            Channel::TranslationalEnergy => scalar(problem.mass.map_or(0.0, |mass| translational_energy(mass, state))),
             Channel::PotentialEnergy => scalar(problem.potential_energy(time, state)),
             Channel::TotalEnergy => scalar(problem.total_energy(time, state).0),
             Channel::EnergyDrift => scalar(self.energy_drift(time, state)),

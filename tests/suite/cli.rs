@@ -103,7 +103,8 @@ fn a_channel_list_is_all_that_is_recorded() {
     let arguments = ["run", "scene.toml", "--format", "csv", "--channels", "angular_velocity,rotational_energy"];
     assert_eq!(polhode(folder.path(), &arguments).status.code(), Some(0));
     let table = fs::read_to_string(folder.path().join("recordings/scene.csv")).expect("it is there");
-    let header = "time_s,angular_velocity_x_rad_s,angular_velocity_y_rad_s,angular_velocity_z_rad_s,rotational_energy_j";
+    let header =
+        "time_s,angular_velocity_x_rad_s,angular_velocity_y_rad_s,angular_velocity_z_rad_s,rotational_energy_j";
     assert_eq!(table.lines().next(), Some(header));
 }
 

@@ -112,6 +112,6 @@ impl Picture {
     /// Whether sample `index` of the run is drawn.
     #[must_use]
     pub const fn draws(&self, index: u64) -> bool {
-        index % self.stride == 0
+        index.is_multiple_of(self.stride)
     }
 }

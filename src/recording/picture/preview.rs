@@ -17,8 +17,7 @@ const QUANTITIES: [(Quantity, f64, [u8; 3]); 4] = [
     (Quantity::Force, 1.4, [204, 121, 167]),
 ];
 /// Bodies in the order of the scene; the first is neutral so that the arrows stand out.
-const BODY_COLOURS: [[u8; 4]; 4] =
-    [[196, 200, 206, 255], [86, 180, 233, 255], [230, 159, 0, 255], [240, 228, 66, 255]];
+const BODY_COLOURS: [[u8; 4]; 4] = [[196, 200, 206, 255], [86, 180, 233, 255], [230, 159, 0, 255], [240, 228, 66, 255]];
 
 /// What a look over the run shows of one body.
 struct Look {

@@ -37,12 +37,12 @@ fn body(scenario: &Scenario, key: &Key, spec: &BodySpec, name: String) -> Result
     let acting = loads::plan(key, spec, &properties)?;
     let is_pivoted = spec.pivot.is_some();
     let initial = initial(key, spec, &properties)?;
-    let moves = acting.forces || initial.velocity.norm() > 0.0;
+    let moves = acting.moves || initial.velocity.norm() > 0.0;
     let problem = Problem {
         moments: properties.moments,
         mass: properties.mass,
         initial,
-        loads: acting.loads,
+        loads: acting.on_rotation,
         gravity: acting.gravity,
         wants_attitude: true,
         wants_translation: false,
@@ -72,9 +72,7 @@ fn initial(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<St
         (Some(_), Some(_)) => {
             return Err(momentum_key.refuse("given beside angular_velocity_rad_s: one of the two"));
         }
-        (velocity, None) => {
-            principal_from_body * optional_vector(&key.field("angular_velocity_rad_s"), velocity)?
-        }
+        (velocity, None) => principal_from_body * optional_vector(&key.field("angular_velocity_rad_s"), velocity)?,
         (None, Some(momentum)) => {
             let momentum = principal_from_body * vector(&momentum_key, momentum)?;
             momentum.component_div(&properties.moments.vector())

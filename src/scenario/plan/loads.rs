@@ -6,17 +6,17 @@ use crate::dynamics::{Load, Torque, Window};
 use crate::scenario::{BodySpec, ForceSpec, Key, Refusal};
 
 /// Everything that acts on one body, and the uniform acceleration of its centre of mass.
-pub struct Loads {
+pub struct Acting {
     /// In principal axes.
-    pub loads: Vec<Load>,
+    pub on_rotation: Vec<Load>,
     /// World axes, m/s²; zero for a body that is held at a pivot.
     pub gravity: Vector3<f64>,
     /// Whether a force acts on the centre of mass.
-    pub forces: bool,
+    pub moves: bool,
 }
 
 /// The loads of the body at `key`, turned into principal axes.
-pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<Loads, Refusal> {
+pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<Acting, Refusal> {
     let to_principal = |in_body: Vector3<f64>| properties.body_from_principal.inverse_transform_vector(&in_body);
     let mut loads = Vec::new();
     let torques = key.field("torque");
@@ -70,9 +70,9 @@ pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<L
         if is_pulled && arm != Vector3::zeros() {
             loads.push(Load { torque: Torque::ForceWorld { force: weight, arm }, window: Window::ALWAYS });
         }
-        return Ok(Loads { loads, gravity: Vector3::zeros(), forces: false });
+        return Ok(Acting { on_rotation: loads, gravity: Vector3::zeros(), moves: false });
     }
-    Ok(Loads { loads, gravity, forces: has_forces || is_pulled })
+    Ok(Acting { on_rotation: loads, gravity, moves: has_forces || is_pulled })
 }
 
 /// Force as given, arm from the reference point in principal axes, window.

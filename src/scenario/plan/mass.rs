@@ -47,18 +47,18 @@ pub fn plan(key: &Key, spec: &BodySpec, folder: &Path) -> Result<(MassProperties
     let refuse = |error| source.refuse(error);
     if !spec.particle.is_empty() {
         let cloud = ParticleCloud::new(particles(&source, &spec.particle)?).map_err(refuse)?;
-        let properties = about_pivot(&source, cloud.mass_properties().map_err(refuse)?, pivot)?;
+        let properties = about_pivot(&source, &cloud.mass_properties().map_err(refuse)?, pivot)?;
         let surface = Surface::of_particles(&cloud, &properties.about);
         return Ok((properties, vec![surface]));
     }
     if let Some(spec) = &spec.mesh {
         let (mesh, properties) = mesh::plan(&source, spec, folder)?;
-        let properties = about_pivot(&source, properties, pivot)?;
+        let properties = about_pivot(&source, &properties, pivot)?;
         let surface = Surface::of_mesh(&mesh, &properties.about);
         return Ok((properties, vec![surface]));
     }
     let solids = solids::plan(&source, &spec.solid)?;
-    let properties = about_pivot(&source, mass_properties_of(&solids).map_err(refuse)?, pivot)?;
+    let properties = about_pivot(&source, &mass_properties_of(&solids).map_err(refuse)?, pivot)?;
     let surfaces = Surface::of_solids(&solids, &properties.about);
     Ok((properties, surfaces))
 }
@@ -67,17 +67,12 @@ fn pivot_point(key: &Key, pivot: Option<&PivotSpec>) -> Result<Option<Vector3<f6
     pivot.map(|pivot| vector(&key.field("pivot").field("position_m"), pivot.position_m)).transpose()
 }
 
-fn about_pivot(key: &Key, body: MassProperties, pivot: Option<Vector3<f64>>) -> Result<MassProperties, Refusal> {
+fn about_pivot(key: &Key, body: &MassProperties, pivot: Option<Vector3<f64>>) -> Result<MassProperties, Refusal> {
     pivot.map_or(Ok(body.clone()), |pivot| body.about(pivot)).map_err(|error| key.refuse(error))
 }
 
 /// A body given by moments or by its tensor.
-fn typed(
-    key: &Key,
-    source: &Key,
-    spec: &BodySpec,
-    pivot: Option<Vector3<f64>>,
-) -> Result<MassProperties, Refusal> {
+fn typed(key: &Key, source: &Key, spec: &BodySpec, pivot: Option<Vector3<f64>>) -> Result<MassProperties, Refusal> {
     let mass = spec.mass_kg.map(|mass| positive(&key.field("mass_kg"), mass)).transpose()?;
     let centre = optional_vector(&key.field("centre_of_mass_m"), spec.centre_of_mass_m)?;
     let refuse = |error| source.refuse(error);
@@ -89,9 +84,7 @@ fn typed(
         }
     };
     match (pivot, spec.pivot.as_ref().is_some_and(|pivot| pivot.inertia_about_pivot)) {
-        (Some(pivot), true) => {
-            body.shifted(pivot).and_then(|body| body.with_centre_of_mass(centre)).map_err(refuse)
-        }
+        (Some(pivot), true) => body.shifted(pivot).and_then(|body| body.with_centre_of_mass(centre)).map_err(refuse),
         (Some(pivot), false) => body.shifted(centre).and_then(|body| body.about(pivot)).map_err(refuse),
         (None, _) => body.shifted(centre).map_err(refuse),
     }

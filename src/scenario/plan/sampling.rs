@@ -39,7 +39,8 @@ fn uniform(key: &Key, duration: f64, every: f64) -> Result<Grid, Refusal> {
     // The last sample may be a rounding past the end: 0.3 / 0.1 is a little less than 3.
     let intervals = (duration / every * (1.0 + 4.0 * f64::EPSILON)).floor();
     if intervals >= MOST_SAMPLES as f64 {
-        let rule = format!("{every:?} over duration_s = {duration:?} makes {intervals:e} samples: at most {MOST_SAMPLES}");
+        let rule =
+            format!("{every:?} over duration_s = {duration:?} makes {intervals:e} samples: at most {MOST_SAMPLES}");
         return Err(key.refuse(rule));
     }
     if intervals < 1.0 {

@@ -1,0 +1,74 @@
+#[cfg(feature = "serde")]
+use serde::Deserialize;
+
+macro_rules! windowed {
+    ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $kind:ty),+ $(,)? }) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
+        pub struct $name {
+            $($(#[$field_doc])* pub $field: $kind,)+
+            /// First instant at which it acts, s; left out: from the beginning.
+            #[cfg_attr(feature = "serde", serde(default))]
+            pub start_s: Option<f64>,
+            /// First instant at which it no longer acts, s; left out: to the end.
+            #[cfg_attr(feature = "serde", serde(default))]
+            pub end_s: Option<f64>,
+        }
+    };
+}
+
+/// Torques by kind; any number of each.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+pub struct TorqueSpecs {
+    /// Constant in body axes.
+    pub constant_body: Vec<MomentSpec>,
+    /// Constant in world axes.
+    pub constant_world: Vec<MomentSpec>,
+    /// τ = −c ω.
+    pub linear_damping: Vec<DampingSpec>,
+    /// On a circular orbit in the world x-y plane, from (1, 0, 0) at t = 0.
+    pub gravity_gradient: Vec<GravityGradientSpec>,
+}
+
+windowed! {
+    /// A constant moment.
+    MomentSpec {
+        /// N m.
+        moment_n_m: [f64; 3],
+    }
+}
+windowed! {
+    /// Damping in proportion to ω.
+    DampingSpec {
+        /// c, N m s, not negative.
+        coefficient_n_m_s: f64,
+    }
+}
+windowed! {
+    /// The gravity gradient's torque.
+    GravityGradientSpec {
+        /// n, rad/s, of the orbit.
+        mean_motion_rad_s: f64,
+    }
+}
+windowed! {
+    /// A force at a point of the body.
+    ForceSpec {
+        /// N.
+        force_n: [f64; 3],
+        /// Where it acts, in body axes, from the body's origin, m.
+        point_m: [f64; 3],
+    }
+}
+
+/// Forces by kind; any number of each.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+pub struct ForceSpecs {
+    /// Constant in body axes: a thruster.
+    pub constant_body: Vec<ForceSpec>,
+    /// Constant in world axes.
+    pub constant_world: Vec<ForceSpec>,
+}

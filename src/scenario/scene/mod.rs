@@ -1,0 +1,13 @@
+//! A scene as typed: the mirror of the file, key by key. Nothing is checked here but names and types.
+
+mod body;
+mod checks;
+mod loads;
+mod scenario;
+mod solids;
+
+pub use body::{BodySpec, MeshSpec, ParticleSpec, PivotSpec};
+pub use checks::{Checks, DriftSpec, FlipPeriodSpec, Frame, PrecessionRateSpec, ValueSpec};
+pub use loads::{DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
+pub use scenario::{Method, Provenance, Scenario};
+pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

@@ -1,0 +1,77 @@
+use std::path::PathBuf;
+
+#[cfg(feature = "serde")]
+use serde::Deserialize;
+
+use super::{BodySpec, Checks};
+
+/// What was asked. [`super::Plan::new`] checks it.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+pub struct Scenario {
+    /// One line: what this is.
+    pub title: String,
+    /// What to see in it.
+    pub summary: String,
+    /// How long, s. May be left out where sample times are listed.
+    pub duration_s: Option<f64>,
+    /// Time between samples, s.
+    pub sample_every_s: Option<f64>,
+    /// Sample times, s, in place of a fixed interval: ascending, from 0 on.
+    pub sample_times_s: Option<Vec<f64>>,
+    /// Names of channels; left out: those that the scene makes interesting.
+    pub channels: Option<Vec<String>>,
+    /// How to propagate.
+    pub method: Method,
+    /// Attitude error to aim at, rad, over the whole run; for the methods that choose their steps.
+    pub tolerance_rad: Option<f64>,
+    /// Step, s, for the methods that do not.
+    pub step_s: Option<f64>,
+    /// The bodies, each with its own motion.
+    pub body: Vec<BodySpec>,
+    /// What the motion must show.
+    pub check: Checks,
+    /// Where the numbers come from.
+    pub provenance: Provenance,
+    /// The file or scene that messages name; not a key.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub file: String,
+    /// Where relative file names start; not a key.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub folder: PathBuf,
+    /// The name recordings get; not a key.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub name: String,
+    /// The text this was read from, if any; not a key.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub text: String,
+}
+
+/// How to propagate.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(Deserialize), serde(rename_all = "snake_case"))]
+pub enum Method {
+    /// The best there is for each body.
+    #[default]
+    Auto,
+    /// The torque-free closed form.
+    ClosedForm,
+    /// Taylor series of the equations of motion, with dense output.
+    Taylor,
+    /// The classical Runge–Kutta method with fixed step.
+    Rk4,
+    /// Dormand and Prince's Runge–Kutta method of order 8.
+    Dop853,
+}
+
+/// Where a scene's numbers come from.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+pub struct Provenance {
+    /// Author, title, place, year.
+    pub source: String,
+    /// Where to read it.
+    pub url: String,
+    /// What was taken from it, and how the numbers were checked.
+    pub note: String,
+}
