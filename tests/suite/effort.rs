@@ -39,7 +39,7 @@ fn taylor_steps() {
         ("constant world", 23, 22),
         ("linear damping", 17, 16),
         ("force world", 31, 30),
-        ("gravity gradient", 48, 46),
+        ("gravity gradient", 48, 45),
     ];
     assert_eq!(found, expected);
     assert_eq!(steps(&pulsed(), 1e-16), 23);

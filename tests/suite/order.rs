@@ -16,7 +16,8 @@ fn error(problem: &Problem, mut propagator: impl Propagator) -> (f64, f64) {
     let exact = run(Taylor::new(problem, TIGHTEST).expect("covered"), &times);
     let mut found = States::default();
     propagator.fill(&times, &mut found).expect("a finite motion");
-    (differences(&found, &exact).0, propagator.effort().steps as f64)
+    let steps = u32::try_from(propagator.effort().steps).expect("a short run");
+    (differences(&found, &exact).0, f64::from(steps))
 }
 
 #[test]

@@ -350,12 +350,18 @@ fn what_cannot_be_is_refused() {
 }
 
 #[test]
-fn a_motion_that_overflows_ends_with_its_time() {
-    // The rates double in every second of a push that starts at t = 3, and soon have no square.
-    let mut problem = problem(MOMENTS, [1e-9, 0.0, 0.0], &[Torque::ConstantBody { moment: Vector3::repeat(1e308) }]);
-    problem.loads[0].window.start = 3.0;
-    let found = taylor(&problem).fill(&[1.0, 4.0], &mut States::default());
-    assert_eq!(found, Err(PropagationError::NotFinite { time: 3.0 }));
+fn a_motion_that_cannot_go_on_ends_with_its_time() {
+    let pushed = |moments: [f64; 3], moment: f64| {
+        let push = Torque::ConstantBody { moment: Vector3::repeat(moment) };
+        let mut problem = problem(moments, [1e-9, 0.0, 0.0], &[push]);
+        problem.loads[0].window.start = 3.0;
+        taylor(&problem).fill(&[1.0, 4.0], &mut States::default())
+    };
+    // An acceleration that is no number.
+    assert_eq!(pushed([1e-3; 3], 1e307), Err(PropagationError::NotFinite { time: 3.0 }));
+    // Turns shorter than the time can tell apart.
+    let found = pushed(MOMENTS, 1e300);
+    assert!(matches!(found, Err(PropagationError::StepTooSmall { time: 3.0, .. })), "{found:?}");
 }
 
 #[test]

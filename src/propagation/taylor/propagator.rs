@@ -105,14 +105,14 @@ impl Taylor {
         if step == remaining {
             end.time = Sums::new([stretch.end]);
         }
-        if !end.is_finite() || end.time == self.start.time {
+        let finite = end.is_finite();
+        // The sums could count on, but no f64 sample time could tell such steps apart.
+        let stuck = step < remaining && time + step == time;
+        if stuck || !finite {
             // What is asked for again must not come from a series that went nowhere.
             self.series = Series::new();
-            return Err(if end.is_finite() {
-                PropagationError::StepTooSmall { time, step }
-            } else {
-                PropagationError::NotFinite { time }
-            });
+            let too_small = PropagationError::StepTooSmall { time, step };
+            return Err(if finite { too_small } else { PropagationError::NotFinite { time } });
         }
         self.end = end;
         self.unit = power_of_two(step);

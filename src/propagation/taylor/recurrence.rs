@@ -1,4 +1,4 @@
-use super::series::{ORDER_MAX, Row, Series, cross, cyclic_products, hamilton, products};
+use super::series::{ORDER_MAX, RECIPROCAL, Row, Series, cross, cyclic_products, hamilton, products};
 use super::terms::Terms;
 use crate::dynamics::Combined;
 
@@ -19,19 +19,6 @@ pub(super) fn recurrence_for(loads: &Combined, with_attitude: bool) -> Recurrenc
         (true, _, true) => rotation::<true, 3, true>,
     }
 }
-
-/// 1/k. At k = 1 and 2, where rounding would count, they are exact.
-const RECIPROCAL: [f64; ORDER_MAX + 1] = {
-    let mut table = [0.0; ORDER_MAX + 1];
-    let mut k = 1;
-    let mut divisor = 1.0;
-    while k <= ORDER_MAX {
-        table[k] = 1.0 / divisor;
-        divisor += 1.0;
-        k += 1;
-    }
-    table
-};
 
 /// The bilinear system, time in the series' unit:
 /// ω' = coupling (ω₂ω₃, …) + I⁻¹ (τ + Σ A u − c ω) + gradient (r₂r₃, …), q' = ½ q ω, u' = u × ω,
@@ -62,7 +49,7 @@ fn rotation<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool>(
 }
 
 /// Coefficient k of ω'.
-#[inline(always)]
+#[inline]
 fn rate<const IMAGES: usize, const GRADIENT: bool>(terms: &Terms, series: &Series, k: usize) -> Row {
     let gyroscopic = cyclic_products(&series.rates, k);
     let mut rate = [0.0; 4];
@@ -131,7 +118,7 @@ fn conjugate_product(a: &[Row], b: &[Row]) -> Row {
     sum
 }
 
-#[inline(always)]
+#[inline]
 fn scaled(row: Row, factor: f64) -> Row {
     row.map(|value| value * factor)
 }

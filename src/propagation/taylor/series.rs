@@ -8,6 +8,19 @@ pub(super) type Rows = [Row; ORDER_MAX + 1];
 
 const NO_ROWS: Rows = [[0.0; 4]; ORDER_MAX + 1];
 
+/// 1/k. At k = 1 and 2, where rounding would count, they are exact.
+pub(super) const RECIPROCAL: [f64; ORDER_MAX + 1] = {
+    let mut table = [0.0; ORDER_MAX + 1];
+    let mut k = 1;
+    let mut divisor = 1.0;
+    while k <= ORDER_MAX {
+        table[k] = 1.0 / divisor;
+        divisor += 1.0;
+        k += 1;
+    }
+    table
+};
+
 /// The motion over one step as power series in σ = (t − start) / unit.
 ///
 /// The unit is a power of two near the step itself: the coefficients then neither overflow nor underflow, however fast
@@ -47,8 +60,8 @@ impl Series {
     }
 }
 
-/// Σ aᵢ(j) b(k − j) for each of three components of b: coefficient k of the products a bₓ, a b_y, a b_z.
-#[inline(always)]
+/// Coefficient k of the products of a with each of three components of b: the three sums Σ a(j) b(k − j).
+#[inline]
 pub(super) fn products(a: &Rows, b: &Rows, k: usize) -> [Row; 3] {
     let mut sums = [[0.0; 4]; 3];
     for (a, b) in a[..=k].iter().zip(b[..=k].iter().rev()) {
@@ -62,19 +75,19 @@ pub(super) fn products(a: &Rows, b: &Rows, k: usize) -> [Row; 3] {
 }
 
 /// a × b from [`products`].
-#[inline(always)]
+#[inline]
 pub(super) fn cross([x, y, z]: [Row; 3]) -> Row {
     [z[1] - y[2], x[2] - z[0], y[0] - x[1], 0.0]
 }
 
 /// The quaternion product a (0, b) from [`products`].
-#[inline(always)]
+#[inline]
 pub(super) fn hamilton([x, y, z]: [Row; 3]) -> Row {
     [-(x[1] + y[2] + z[3]), x[0] - y[3] + z[2], x[3] + y[0] - z[1], y[1] - x[2] + z[0]]
 }
 
 /// Coefficient k of (a₂a₃, a₃a₁, a₁a₂).
-#[inline(always)]
+#[inline]
 pub(super) fn cyclic_products(a: &Rows, k: usize) -> [f64; 3] {
     let mut sums = [0.0; 3];
     for (a, b) in a[..=k].iter().zip(a[..=k].iter().rev()) {
