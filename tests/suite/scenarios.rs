@@ -110,3 +110,22 @@ fn any_key_can_be_overridden() {
     let message = Scenario::parse(text, "dzhanibekov", &overrides).expect_err("no such key").to_string();
     assert!(message.contains("dzhanibekov (with --set)") && message.contains("angular_velocity"), "{message}");
 }
+
+#[test]
+fn examples_of_the_manual_are_scenes_that_pass_their_checks() {
+    let manual = fs::read_to_string(FilePath::new(env!("CARGO_MANIFEST_DIR")).join("docs/scenarios.md"))
+        .expect("the manual of scenes");
+    let examples: Vec<&str> = manual.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(examples.len() >= 5, "{} examples", examples.len());
+    for example in examples {
+        let scenario = Scenario::parse(example, "docs/scenarios.md", &[]).unwrap_or_else(|error| panic!("{error}"));
+        // The mesh of the example is the reader's own.
+        if scenario.body.iter().any(|body| body.mesh.is_some()) {
+            continue;
+        }
+        let plan = Plan::new(&scenario).unwrap_or_else(|error| panic!("{error}"));
+        for outcome in plan.measure_checks().expect("checks that can be measured") {
+            assert!(outcome.passed, "{}: {} {}", outcome.name, outcome.measured, outcome.expected);
+        }
+    }
+}
