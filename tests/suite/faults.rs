@@ -22,10 +22,17 @@ fn formats() -> Vec<(&'static str, Open)> {
         let picture = crate::planned::picture(plan);
         Ok(Box::new(polhode::recording::mcap_file::McapFile::create(plan, &picture, file)?))
     };
+    #[cfg(feature = "rerun")]
+    let rrd: Open = |plan, file| {
+        let picture = crate::planned::picture(plan);
+        Ok(Box::new(polhode::recording::rerun_file::RerunFile::create(plan, &picture, file)?))
+    };
     vec![
         ("csv", csv),
         #[cfg(feature = "mcap")]
         ("mcap", mcap),
+        #[cfg(feature = "rerun")]
+        ("rrd", rrd),
     ]
 }
 

@@ -84,10 +84,10 @@ fn body(name: &str, channels: &[Channel]) -> PlannedBody {
 pub fn picture(plan: &Plan) -> Picture {
     let arrow = |quantity| Arrow { quantity, label: "1 m = 1".into(), colour: [255, 128, 0], metres_per_unit: 1.0 };
     let quantities = [Quantity::AngularVelocity, Quantity::AngularMomentum, Quantity::Moment];
-    let body = |_| BodyPicture {
+    let body = |body: &PlannedBody| BodyPicture {
         colour: [200, 200, 255, 255],
         extent: 1.0,
-        arrows: quantities.map(arrow).to_vec(),
+        arrows: quantities.into_iter().filter(|quantity| quantity.is_recorded(&body.channels)).map(arrow).collect(),
         spin_axis: Vector3::z(),
         position: Vector3::new(0.0, 0.0, 1.5),
     };

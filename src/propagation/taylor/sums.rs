@@ -1,3 +1,5 @@
+use crate::numerics::two_sum;
+
 /// Sums kept as high + low parts, so that adding many small terms loses nothing of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Sums<const N: usize> {
@@ -31,11 +33,4 @@ impl Sums<1> {
     pub fn until(&self, value: f64) -> f64 {
         (value - self.high[0]) - self.low[0]
     }
-}
-
-/// a + b, and what rounding took from it, exactly (Knuth).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    let b_rounded = sum - a;
-    (sum, (a - (sum - b_rounded)) + (b - b_rounded))
 }

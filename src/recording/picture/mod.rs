@@ -1,5 +1,6 @@
 //! What a run looks like, decided once for all picture formats: scales, colours, camera, rate.
 
+mod camera;
 mod preview;
 mod scale;
 
@@ -82,6 +83,14 @@ impl Quantity {
             Self::Moment => (Channel::MomentWorld, Some(Channel::MomentBody)),
             Self::Force => (Channel::ForceWorld, None),
         }
+    }
+
+    /// Whether these channels say where it points in the world.
+    #[must_use]
+    pub fn is_recorded(self, channels: &[Channel]) -> bool {
+        let (world, body) = self.channels();
+        let turned = |body| channels.contains(&body) && channels.contains(&Channel::Attitude);
+        channels.contains(&world) || body.is_some_and(turned)
     }
 
     /// World components at sample `index` from whichever channel is there.

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::{Arrow, BodyPicture, Picture, Quantity, scale};
+use super::{Arrow, BodyPicture, Picture, Quantity, camera, scale};
 use crate::propagation::PropagationError;
 use crate::scenario::{Plan, PlannedBody};
 use crate::telemetry::{BodySamples, Channel};
@@ -16,6 +16,8 @@ const QUANTITIES: [(Quantity, f64, [u8; 3]); 4] = [
     (Quantity::Moment, 1.4, [0, 158, 115]),
     (Quantity::Force, 1.4, [204, 121, 167]),
 ];
+/// How far the picture of a body reaches, in extents: the longest arrows seldom point to a corner.
+const REACH: f64 = 1.5;
 /// Bodies in the order of the scene; the first is neutral so that the arrows stand out.
 const BODY_COLOURS: [[u8; 4]; 4] = [[196, 200, 206, 255], [86, 180, 233, 255], [230, 159, 0, 255], [240, 228, 66, 255]];
 
@@ -29,6 +31,14 @@ struct Look {
     extent: f64,
 }
 
+impl Look {
+    /// Corners of the box that the body with its arrows stays in.
+    fn reach(&self) -> [Vector3<f64>; 2] {
+        let arrows = Vector3::repeat(REACH * self.extent);
+        [self.lowest - arrows, self.highest + arrows]
+    }
+}
+
 impl Picture {
     /// Looks the run over at a few hundred times and chooses scales and camera.
     ///
@@ -40,7 +50,8 @@ impl Picture {
         let mut times: Vec<f64> = (0..=looks).map(|look| plan.grid.time(last * look / looks)).collect();
         times.dedup();
         let looks = plan.bodies.iter().map(|body| look(body, &times)).collect::<Result<Vec<_>, _>>()?;
-        let (eye, target) = camera(&looks);
+        let boxes: Vec<_> = looks.iter().map(Look::reach).collect();
+        let (eye, target) = camera::place(&boxes);
         let bodies = plan.bodies.iter().zip(&looks).zip(BODY_COLOURS.iter().cycle());
         let bodies = bodies.map(|((body, look), colour)| draw(body, look, *colour)).collect();
         Ok(Self { stride: stride(plan.grid.mean_interval()), eye, target, bodies })
@@ -49,8 +60,8 @@ impl Picture {
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1 … 1e9")]
 fn stride(interval: f64) -> u64 {
-    // The hair above keeps 1/600 s from being a little more than a tenth of 1/60 s.
-    (1.0 / PICTURE_RATE / interval * (1.0 + 1e-9)).floor().clamp(1.0, 1e9) as u64
+    // The hair less keeps a tenth of 1/60 s from being a little too short ten times.
+    (1.0 / PICTURE_RATE / interval * (1.0 - 1e-9)).ceil().clamp(1.0, 1e9) as u64
 }
 
 fn look(body: &PlannedBody, times: &[f64]) -> Result<Look, PropagationError> {
@@ -77,7 +88,9 @@ fn vectors(samples: &BodySamples, channel: Channel) -> impl Iterator<Item = Vect
 }
 
 fn draw(body: &PlannedBody, look: &Look, colour: [u8; 4]) -> BodyPicture {
-    let arrows = QUANTITIES.iter().zip(look.largest).filter(|(_, largest)| *largest > 0.0 && largest.is_finite());
+    let arrows = QUANTITIES.iter().zip(look.largest).filter(|((quantity, ..), largest)| {
+        quantity.is_recorded(&body.channels) && *largest > 0.0 && largest.is_finite()
+    });
     let arrow = |((quantity, length, colour), largest): (&(Quantity, f64, [u8; 3]), f64)| {
         let (label, metres_per_unit) = scale::choose(*quantity, length * look.extent, largest);
         Arrow { quantity: *quantity, label, colour: *colour, metres_per_unit }
@@ -97,16 +110,4 @@ fn spin_axis(body: &PlannedBody) -> Vector3<f64> {
     let nearest = if omega == Vector3::zeros() { 2 } else { omega.iamax() };
     let sign = if omega[nearest] < 0.0 { -1.0 } else { 1.0 };
     body.properties.body_from_principal * (sign * Vector3::ith(nearest, 1.0))
-}
-
-/// Where the camera stands and looks so that every body with its arrows stays in the picture.
-fn camera(looks: &[Look]) -> (Vector3<f64>, Vector3<f64>) {
-    let reach = |look: &Look| Vector3::repeat(1.9 * look.extent);
-    let lowest = looks.iter().map(|look| look.lowest - reach(look)).reduce(|a, b| a.inf(&b)).unwrap_or_default();
-    let highest = looks.iter().map(|look| look.highest + reach(look)).reduce(|a, b| a.sup(&b)).unwrap_or_default();
-    let target = 0.5 * (lowest + highest);
-    let radius = 0.5 * (highest - lowest).norm();
-    // From the front, a little to the right and above: x comes forward, y goes right, z up.
-    let direction = Vector3::new(0.78, -0.52, 0.36).normalize();
-    (target + 1.55 * radius * direction, target)
 }

@@ -14,6 +14,7 @@ impl RerunFile {
     ///
     /// # Errors
     /// Always [`RecordingError::FormatAbsent`].
+    #[expect(clippy::needless_pass_by_value, reason = "the same interface as with the feature")]
     pub fn create(_plan: &Plan, _picture: &Picture, file: PartFile) -> Result<Self, RecordingError> {
         Err(absent(file.path()))
     }

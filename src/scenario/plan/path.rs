@@ -4,6 +4,8 @@ use crate::scenario::{Key, Method, Path, Refusal, Scenario};
 
 /// Per step, where no tolerance is asked for: as tight as f64 carries.
 const TIGHTEST: f64 = 1e-16;
+/// Per step, the least that DOP853's error estimate can tell.
+const TIGHTEST_DOP853: f64 = 1e-15;
 /// Share of the whole run's tolerance that one step may spend.
 const SHARE_OF_A_STEP: f64 = 1e-2;
 
@@ -32,7 +34,7 @@ pub fn choose(scenario: &Scenario, problem: &Problem) -> Result<(Path, String), 
             return Err(method_key.refuse("\"closed_form\" needs a body without torques and forces; use \"auto\""));
         }
         Method::Taylor => (Path::Taylor { tolerance }, asked("taylor")),
-        Method::Dop853 => (Path::Dop853 { tolerance }, asked("dop853")),
+        Method::Dop853 => (Path::Dop853 { tolerance: tolerance.max(TIGHTEST_DOP853) }, asked("dop853")),
         Method::Rk4 => {
             let key = Key::root("step_s");
             let step = scenario.step_s.ok_or_else(|| key.refuse("missing: method = \"rk4\" needs it"))?;

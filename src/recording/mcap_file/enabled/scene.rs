@@ -9,8 +9,8 @@ use super::foxglove::{
 };
 use super::output::{Output, Topic};
 use crate::recording::RecordingError;
-use crate::recording::picture::{Arrow, BodyPicture, Picture, attitude};
-use crate::scenario::{Plan, PlannedBody};
+use crate::recording::picture::{BodyPicture, Picture, attitude};
+use crate::scenario::Plan;
 use crate::telemetry::{BodySamples, Channel, Samples};
 
 /// What moves in a 3D view: frames on `/tf`, arrows on `/scene`.
@@ -34,7 +34,7 @@ impl MovingScene {
         let nothing = BTreeMap::new();
         let bodies = || plan.bodies.iter().zip(&picture.bodies);
         let has_frames = plan.bodies.iter().any(|body| body.channels.contains(&Channel::Attitude));
-        let has_arrows = bodies().any(|(body, picture)| picture.arrows.iter().any(|arrow| is_drawable(arrow, body)));
+        let has_arrows = picture.bodies.iter().any(|body| !body.arrows.is_empty());
         let frames = if has_frames { Some(output.topic("/tf", FRAME_TRANSFORMS, &nothing)?) } else { None };
         let arrows = if has_arrows { Some(output.topic("/scene", SCENE_UPDATE, &nothing)?) } else { None };
         let bodies = bodies().map(|(body, picture)| MovingBody { name: body.name.clone(), picture: picture.clone() });
@@ -111,13 +111,6 @@ impl MovingBody {
             _ => self.picture.position,
         }
     }
-}
-
-/// Whether `body` records what `arrow` shows, in world axes or to be turned into them.
-fn is_drawable(arrow: &Arrow, body: &PlannedBody) -> bool {
-    let (world, in_body) = arrow.quantity.channels();
-    let records = |channel| body.channels.contains(&channel);
-    records(world) || (in_body.is_some_and(records) && records(Channel::Attitude))
 }
 
 /// The turn that brings +x to `direction`: half a turn about +y where that is −x.
