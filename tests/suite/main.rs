@@ -25,3 +25,5 @@ mod faults;
 #[cfg(feature = "mcap")]
 mod mcap_format;
 mod planned;
+#[cfg(feature = "rerun")]
+mod rerun_format;

@@ -48,12 +48,12 @@ fn legend(plan: &Plan, picture: &Picture) -> String {
         text +=
             "- **Body axes**, and their curves in the plots: x vermilion, y green, z blue. Grey: the world's axes\n";
         let reach = match Cut::new(plan, picture).window_s {
-            Some(window) => format!("over the last {} s", number(window)),
+            Some(window) => format!("over the last {}", duration(window)),
             None => "from the beginning".to_owned(),
         };
         let _ = writeln!(text, "- **Yellow trail**: the tip of the body's spin axis, {reach}");
     }
-    let _ = writeln!(text, "- **Playback**: {} s of motion in a second", number(playback_speed(plan)));
+    let _ = writeln!(text, "- **Playback**: {} of motion in a second", duration(playback_speed(plan)));
     text
 }
 
@@ -80,5 +80,14 @@ fn number(value: f64) -> String {
         let digits = format!("{value:.4e}").parse::<f64>().unwrap_or(value);
         return format!("{digits}");
     }
-    format!("{value:.4e}")
+    let digits = format!("{value:.4e}");
+    let (mantissa, power) = digits.split_once('e').unwrap_or((&digits, "0"));
+    format!("{}e{power}", mantissa.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// A time span in the unit that people would say it in.
+fn duration(seconds: f64) -> String {
+    let units = [(86400.0, "d"), (3600.0, "h"), (60.0, "min")];
+    let (size, unit) = units.into_iter().find(|(size, _)| seconds >= 2.0 * size).unwrap_or((1.0, "s"));
+    format!("{} {unit}", number(seconds / size))
 }

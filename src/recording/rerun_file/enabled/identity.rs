@@ -15,8 +15,9 @@ pub(super) fn recording(plan: &Plan) -> Result<StoreId, String> {
         hash.update(part.as_bytes());
         hash.update([0]);
     }
-    let id = hash.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect::<String>();
-    Ok(StoreId::new(StoreKind::Recording, application(plan)?, RecordingId::from(id)))
+    let hash: [u8; 32] = hash.finalize().into();
+    let id = hash.iter().take(16).fold(0_u128, |id, byte| id << 8 | u128::from(*byte));
+    Ok(StoreId::new(StoreKind::Recording, application(plan)?, RecordingId::from(format!("{id:032x}"))))
 }
 
 /// The store of the layout.

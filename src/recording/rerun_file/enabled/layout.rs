@@ -67,7 +67,9 @@ impl Floor {
         let view = picture.target - picture.eye;
         let ahead = Vector3::new(view.x, view.y, 0.0).try_normalize(0.0).unwrap_or_else(Vector3::x);
         let left = Vector3::z().cross(&ahead);
-        let corner = picture.target + (left * 1.6 - ahead * 0.4) * size;
+        let distances = picture.bodies.iter().map(|drawing| (drawing.position - picture.target).xy().norm());
+        let spread = distances.fold(0.0, f64::max);
+        let corner = picture.target + left * (spread + 1.6 * size) - ahead * (0.8 * size);
         Self { height, size, corner: Vector3::new(corner.x, corner.y, height) }
     }
 }
@@ -126,13 +128,13 @@ fn words<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Part
     blueprint.container(&Container { kind: ContainerKind::Tabs, name: "", parts: &[about, log], shares: &[] })
 }
 
-/// Seconds of motion in a second of playback: as it is if that takes 10 s to 2 min, else about half a minute in all.
+/// Seconds of motion in a second of playback: as it is if that takes 10 s to 2 min, else 20 s to 50 s in all.
 pub(super) fn playback_speed(plan: &Plan) -> f64 {
     let duration = plan.grid.end() - plan.grid.time(0);
     if !duration.is_finite() || duration <= 0.0 || (10.0..=120.0).contains(&duration) {
         return 1.0;
     }
-    round_number(duration / 30.0)
+    round_number(duration / 20.0)
 }
 
 /// The nearest of 1, 2, 5 × 10ⁿ below.

@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 
 use re_log_encoding::{
     CachingApplicationIdInjector, Decodable as _, Encodable as _, MessageHeader, MessageKind, StreamFooter,
-    StreamHeader, ToApplication as _,
+    StreamHeader,
 };
 use re_log_types::LogMsg;
 use re_protos::log_msg::v1alpha1::log_msg::Msg;
 use re_protos::log_msg::v1alpha1::{ArrowMsg, BlueprintActivationCommand, SetStoreInfo};
 
+use super::unpack;
 use crate::recording::RecordingError;
 use crate::recording::format::is_part;
 
@@ -41,9 +42,6 @@ pub(super) enum End {
 }
 
 impl Messages {
-    /// The most that a compressed chunk may claim to unpack to: the claim is allocated before it is tested.
-    const LARGEST: u64 = 1 << 30;
-
     /// Opens a file and reads its header.
     ///
     /// # Errors
@@ -101,13 +99,7 @@ impl Messages {
             }
         };
         let message = message.map_err(|error| self.damaged(error))?;
-        if let Msg::ArrowMsg(chunk) = &message
-            && chunk.uncompressed_size > Self::LARGEST
-        {
-            return Err(self.damaged(format!("a chunk of {} bytes", chunk.uncompressed_size)));
-        }
-        let version = Some(self.version);
-        let message = message.to_application((&mut self.ids, version)).map_err(|error| self.damaged(error))?;
+        let message = unpack::message(message, &mut self.ids, self.version).map_err(|reason| self.damaged(reason))?;
         Ok(Some(message))
     }
 

@@ -24,6 +24,7 @@ mod read;
 mod statics;
 mod stream;
 mod trail;
+mod unpack;
 
 pub use file::RerunFile;
 pub use read::contents;

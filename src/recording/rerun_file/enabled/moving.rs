@@ -37,7 +37,7 @@ struct MovingBody {
     /// What the trail follows, from the reference point, in body axes, m.
     tip: Vector3<f64>,
     has_attitude: bool,
-    has_position: bool,
+    leaves_path: bool,
     trail: Trail,
     path: Trail,
 }
@@ -100,7 +100,7 @@ impl MovingBody {
             position: drawing.position,
             tip: drawing.spin_axis * (drawing.extent * TIP),
             has_attitude: body.channels.contains(&Channel::Attitude),
-            has_position: body.channels.contains(&Channel::Position),
+            leaves_path: body.moves && body.channels.contains(&Channel::Position),
             trail: Trail::new(entities.trail.clone(), cut),
             path: Trail::new(entities.path.clone(), cut),
             entities,
@@ -125,11 +125,9 @@ impl MovingBody {
             return Ok(());
         }
         let turns = indices.iter().filter_map(|index| attitude(samples, *index)).map(quaternion);
-        let mut transform = Transform3D::update_fields().with_many_quaternion(turns);
-        if self.has_position {
-            let places = indices.iter().map(|index| single(&self.position(samples, *index)));
-            transform = transform.with_many_translation(places);
-        }
+        // Both in every row: the viewer takes a transform from one row, whatever the others say.
+        let places = indices.iter().map(|index| single(&self.position(samples, *index)));
+        let transform = Transform3D::update_fields().with_many_quaternion(turns).with_many_translation(places);
         let columns = transform.columns_of_unit_batches().map_err(|error| stream.refused(error))?;
         stream.columns(store, &self.entities.body, rows, columns)
     }
@@ -190,7 +188,7 @@ impl MovingBody {
             let points = when().zip(tips).map(|((stamp, step), point)| (stamp, step, point));
             self.trail.write(stream, store, points)?;
         }
-        if self.has_position {
+        if self.leaves_path {
             let points = when().zip(&places).map(|((stamp, step), place)| (stamp, step, single(place)));
             self.path.write(stream, store, points)?;
         }

@@ -8,15 +8,27 @@ pub(super) const Y: [u8; 3] = [0, 158, 115];
 pub(super) const Z: [u8; 3] = [86, 180, 233];
 /// Of w, and of single curves.
 pub(super) const W: [u8; 3] = [240, 228, 66];
+/// Of a further body.
+pub(super) const V: [u8; 3] = [204, 121, 167];
 /// Of the trail.
 pub(super) const TRAIL: [u8; 3] = [240, 228, 66];
 /// Of the path of the reference point.
 pub(super) const PATH: [u8; 3] = [150, 150, 150];
 /// Of the world's axes.
 pub(super) const WORLD: [u8; 3] = [170, 170, 170];
+/// Of the bodies' names.
+pub(super) const NAMES: [u8; 3] = [230, 230, 230];
 /// Of the floor's grid: red, green, blue, opacity.
 pub(super) const GRID: [u8; 4] = [140, 150, 160, 50];
 /// Of what is behind everything.
 pub(super) const BACKGROUND: [u8; 3] = [21, 23, 27];
 /// Of the line at zero in plots.
 pub(super) const ZERO: [u8; 3] = [90, 90, 90];
+
+/// Of the scalars of body `number`, by number of curve: a hue for each body, darker from curve to curve.
+pub(super) fn of_body(number: usize, curve: usize) -> [u8; 3] {
+    const HUES: [[u8; 3]; 5] = [X, Y, Z, W, V];
+    const EIGHTHS: [u16; 4] = [8, 6, 4, 7];
+    let eighths = EIGHTHS[curve % EIGHTHS.len()];
+    HUES[number % HUES.len()].map(|part| u8::try_from(u16::from(part) * eighths / 8).unwrap_or(part))
+}

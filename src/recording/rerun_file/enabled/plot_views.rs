@@ -61,6 +61,12 @@ pub(super) fn write<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> 
     plots.container(ContainerKind::Vertical, "", &parts).map(Some)
 }
 
+/// Whether `bodies` bodies have these channels in one plot: all scalars, and vectors of many.
+pub(super) fn shares_plot(channels: &[Channel], bodies: usize) -> bool {
+    let are_scalars = channels.iter().all(|channel| channel.width() == 1);
+    bodies > 1 && (are_scalars || bodies > SEPARATE)
+}
+
 /// A time axis from the first to the last sample: what the viewer would show is a minute around the cursor.
 fn whole_run(plan: &Plan) -> TimeAxis {
     let at = |time| TimeRangeBoundary::Absolute(TimeInt(nanoseconds(time)));
@@ -86,13 +92,12 @@ impl<W: Write> PlotViews<'_, '_, W> {
         channels: &[Channel],
         bodies: &[PlannedBody],
     ) -> Result<Option<Part>, RecordingError> {
-        let is_scalar = channels.iter().all(|channel| channel.width() == 1);
         let is_recorded = |body: &&PlannedBody| channels.iter().any(|channel| body.channels.contains(channel));
         let having: Vec<_> = bodies.iter().filter(is_recorded).collect();
         if having.is_empty() {
             return Ok(None);
         }
-        if having.len() == 1 || is_scalar || having.len() > SEPARATE {
+        if having.len() == 1 || shares_plot(channels, bodies.len()) {
             return self.view(title, channels, &having).map(Some);
         }
         let mut views = Vec::with_capacity(having.len());

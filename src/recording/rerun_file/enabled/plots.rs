@@ -5,6 +5,7 @@ use re_sdk_types::components::{Color, Name};
 
 use super::columns::{scalars, timelines};
 use super::palette;
+use super::plot_views::shares_plot;
 use super::stream::{Rows, Store, Stream};
 use crate::recording::RecordingError;
 use crate::scenario::{Grid, Plan, nanoseconds};
@@ -37,12 +38,11 @@ impl Plots {
     /// If they cannot be written.
     pub(super) fn begin<W: Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Result<Self, RecordingError> {
         let mut entities = Vec::with_capacity(plan.bodies.len());
-        for body in &plan.bodies {
-            let owner = if plan.bodies.len() > 1 { body.name.as_str() } else { "" };
+        for (number, body) in plan.bodies.iter().enumerate() {
             let of_body: Vec<_> =
                 body.channels.iter().map(|channel| (*channel, entity(&body.name, *channel))).collect();
             for (channel, entity) in &of_body {
-                stream.once(store, entity, &[], &curves(*channel, owner))?;
+                stream.once(store, entity, &[], &curves(*channel, number, plan))?;
             }
             entities.push(of_body);
         }
@@ -90,15 +90,31 @@ fn write_zero<W: Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Re
 }
 
 /// The curves of a channel: their names (the view's title says the unit) and colours.
-fn curves(channel: Channel, owner: &str) -> SeriesLines {
+fn curves(channel: Channel, number: usize, plan: &Plan) -> SeriesLines {
     let row = channel.row();
+    let is_shared = shares_plot(&[channel], plan.bodies.len());
+    let owner = if is_shared { plan.bodies[number].name.as_str() } else { "" };
     let names = row.components.iter().map(|component| {
         let parts = [owner, symbol(channel), component];
         let words: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
         Name::from(words.join(" "))
     });
-    let colours = colours(channel).iter().map(|[red, green, blue]| Color::from_rgb(*red, *green, *blue));
+    let mut colours = colours(channel).to_vec();
+    if let (true, [colour]) = (is_shared, colours.as_mut_slice()) {
+        *colour = palette::of_body(number, companion(channel));
+    }
+    let colours = colours.into_iter().map(|[red, green, blue]| Color::from_rgb(red, green, blue));
     SeriesLines::new().with_names(names).with_colors(colours).with_widths(vec![1.5_f32; row.components.len()])
+}
+
+/// Place of a scalar among those that share its plot.
+fn companion(channel: Channel) -> usize {
+    match channel {
+        Channel::TranslationalEnergy | Channel::MomentumDrift => 1,
+        Channel::PotentialEnergy => 2,
+        Channel::TotalEnergy => 3,
+        _ => 0,
+    }
 }
 
 /// What a legend has room for.

@@ -6,6 +6,7 @@ use re_log_types::{LogMsg, StoreId, StoreKind, StoreSource};
 
 use super::columns::SIM_TIME;
 use super::messages::{End, Messages};
+use super::unpack;
 use crate::recording::{Contents, Entry, RecordingError};
 
 /// Looks into an `.rrd`, whoever wrote it, from end to end: its entities with their rows and times on `sim_time`. Of a
@@ -20,7 +21,7 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
         match message? {
             LogMsg::SetStoreInfo(store) => survey.see_store(&store.info.store_id, &store.info.store_source),
             LogMsg::ArrowMsg(store, batch) if store.kind() == StoreKind::Recording => {
-                let chunk = Chunk::from_arrow_msg(&batch).map_err(|error| messages.damaged(error))?;
+                let chunk = unpack::chunk(&batch).map_err(|reason| messages.damaged(reason))?;
                 survey.see_chunk(&chunk);
             }
             LogMsg::ArrowMsg(..) => survey.layout_chunks += 1,

@@ -1,7 +1,7 @@
 use std::io::Write;
 
 use nalgebra::Vector3;
-use re_sdk_types::archetypes::{Arrows3D, LineStrips3D, Mesh3D, Points3D, RecordingInfo, Transform3D, ViewCoordinates};
+use re_sdk_types::archetypes::{Arrows3D, LineStrips3D, Mesh3D, Points3D, RecordingInfo, ViewCoordinates};
 use re_sdk_types::components::{Color, Radius};
 use re_sdk_types::datatypes::Rgba32;
 
@@ -31,6 +31,8 @@ pub(super) struct BodyEntities {
     name: String,
     /// Attitude and position; its children turn with it.
     pub(super) body: String,
+    /// Its axes.
+    axes: String,
     /// Of the spin axis' tip.
     pub(super) trail: String,
     /// Of the reference point.
@@ -42,6 +44,7 @@ impl BodyEntities {
         Self {
             name: name.to_owned(),
             body: format!("/world/body/{name}"),
+            axes: format!("/world/body/{name}/axes"),
             trail: format!("/world/trail/{name}"),
             path: format!("/world/path/{name}"),
         }
@@ -67,17 +70,29 @@ pub(super) fn write<W: Write>(
     stream.once(store, "/__properties", &[], &RecordingInfo::new().with_name(plan.title.as_str()))?;
     stream.once(store, "/world", &[], &ViewCoordinates::RIGHT_HAND_Z_UP())?;
     let floor = Floor::of(plan, picture);
-    Axes { origin: floor.corner, length: floor.size * 0.5, radius: floor.size * AXIS, colours: [palette::WORLD; 3] }
-        .write(stream, store, "/world/axes")?;
+    let (length, radius) = (floor.size * 0.5, floor.size * AXIS);
+    let world = Axes { origin: floor.corner, length, radius, colours: [palette::WORLD; 3] };
+    world.write(stream, store, "/world/axes")?;
+    world.write_names(stream, store, "/world/axes")?;
+    if plan.bodies.len() > 1 {
+        stream.once(store, "/world/names", &[], &names(plan, picture))?;
+    }
     for (body, drawing) in plan.bodies.iter().zip(&picture.bodies) {
         let entities = BodyEntities::new(&body.name);
         if body.channels.contains(&Channel::Attitude) {
             write_body(stream, store, (body, drawing), &entities)?;
+            // Of several bodies, the colours say which axis is which.
+            if plan.bodies.len() == 1 {
+                body_axes(drawing).write_names(stream, store, &entities.axes)?;
+            }
         }
         for arrow in &drawing.arrows {
             let entity = entities.arrow(arrow.quantity);
+            // Several bodies' scales would cover each other; they stand in the text.
+            let (symbol, ..) = arrow.quantity.words();
+            let label = if plan.bodies.len() > 1 { symbol } else { arrow.label.as_str() };
             stream.once(store, &entity, &[], &arrow_style(arrow, drawing.extent))?;
-            stream.once(store, &entity, &[], &label_style([arrow.label.as_str()], [arrow.colour]))?;
+            stream.once(store, &entity, &[], &label_style([label], [arrow.colour]))?;
         }
     }
     Ok(())
@@ -89,10 +104,6 @@ fn write_body<W: Write>(
     (body, drawing): (&PlannedBody, &BodyPicture),
     entities: &BodyEntities,
 ) -> Result<(), RecordingError> {
-    if !body.channels.contains(&Channel::Position) {
-        let place = Transform3D::update_fields().with_translation(single(&drawing.position));
-        stream.once(store, &entities.body, &[], &place)?;
-    }
     for (number, surface) in body.surfaces.iter().enumerate() {
         let mesh = Mesh3D::new(surface.vertices.iter().copied())
             .with_vertex_normals(surface.normals.iter().copied())
@@ -100,19 +111,39 @@ fn write_body<W: Write>(
             .with_albedo_factor(rgba(drawing.colour));
         stream.once(store, &format!("{}/shape/{number}", entities.body), &[], &mesh)?;
     }
+    body_axes(drawing).write(stream, store, &entities.axes)?;
+    let width = drawing.extent * 0.006;
+    stream.once(store, &entities.trail, &[], &line_style(palette::TRAIL, width))?;
+    stream.once(store, &entities.path, &[], &line_style(palette::PATH, width))
+}
+
+/// The names of the bodies that stay where they are, below them.
+fn names(plan: &Plan, picture: &Picture) -> Points3D {
+    let bodies = plan.bodies.iter().zip(&picture.bodies);
+    let staying = bodies.filter(|(body, _)| !body.channels.contains(&Channel::Position));
+    let (names, places): (Vec<_>, Vec<_>) = staying
+        .map(|(body, drawing)| {
+            (body.name.as_str(), single(&(drawing.position - Vector3::z() * (1.4 * drawing.extent))))
+        })
+        .unzip();
+    Points3D::new(places)
+        .with_radii([Radius::new_ui_points(0.0)])
+        .with_colors([rgb(palette::NAMES)])
+        .with_labels(names)
+        .with_show_labels(true)
+}
+
+/// The body's, in the colours of its curves.
+fn body_axes(drawing: &BodyPicture) -> Axes {
     Axes {
         origin: Vector3::zeros(),
         length: drawing.extent * TIP,
         radius: drawing.extent * AXIS,
         colours: [palette::X, palette::Y, palette::Z],
     }
-    .write(stream, store, &format!("{}/axes", entities.body))?;
-    let width = drawing.extent * 0.006;
-    stream.once(store, &entities.trail, &[], &line_style(palette::TRAIL, width))?;
-    stream.once(store, &entities.path, &[], &line_style(palette::PATH, width))
 }
 
-/// Three arrows along x, y, z with their names at their tips.
+/// Three arrows along x, y, z, and their names at their tips.
 struct Axes {
     origin: Vector3<f64>,
     length: f64,
@@ -127,7 +158,11 @@ impl Axes {
             .with_origins([single(&self.origin); 3])
             .with_radii([scene(self.radius)])
             .with_colors(self.colours.map(rgb));
-        stream.once(store, entity, &[], &arrows)?;
+        stream.once(store, entity, &[], &arrows)
+    }
+
+    fn write_names<W: Write>(&self, stream: &mut Stream<W>, store: Store, entity: &str) -> Result<(), RecordingError> {
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
         let tips = axes.map(|axis| single(&(self.origin + axis * (self.length * LABEL))));
         stream.once(store, entity, &[], &label_style(["x", "y", "z"], self.colours).with_positions(tips))
     }
@@ -141,7 +176,7 @@ fn arrow_style(arrow: &Arrow, extent: f64) -> Arrows3D {
 fn label_style<const N: usize>(labels: [&str; N], colours: [[u8; 3]; N]) -> Points3D {
     Points3D::update_fields()
         .with_radii([Radius::new_ui_points(0.0)])
-        .with_colors(colours.map(rgb))
+        .with_colors(colours.map(|colour| rgb(lighter(colour))))
         .with_labels(labels)
         .with_show_labels(true)
 }
@@ -150,9 +185,15 @@ fn line_style(colour: [u8; 3], radius: f64) -> LineStrips3D {
     LineStrips3D::update_fields().with_colors([rgb(colour)]).with_radii([scene(radius)])
 }
 
-/// In metres, not in points of the screen.
+/// In metres, as far as the viewer can: it packs radii into half precision. Larger ones are in points of the screen.
 fn scene(radius: f64) -> Radius {
-    Radius::new_scene_units(narrow(radius))
+    const LARGEST: f64 = 60_000.0;
+    if radius < LARGEST { Radius::new_scene_units(narrow(radius)) } else { Radius::new_ui_points(1.5) }
+}
+
+/// Half way to white: a colour that shows as an arrow is too dark for words.
+fn lighter(colour: [u8; 3]) -> [u8; 3] {
+    colour.map(|part| part / 2 + 127)
 }
 
 fn rgb([red, green, blue]: [u8; 3]) -> Color {
