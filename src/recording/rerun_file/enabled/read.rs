@@ -59,7 +59,11 @@ impl Survey {
         if store.kind() == StoreKind::Recording {
             self.details.push(("application".into(), store.application_id().to_string()));
             self.details.push(("recording".into(), store.recording_id().to_string()));
-            self.details.push(("written by".into(), source.to_string()));
+            let writer = match source {
+                StoreSource::Other(name) => name.clone(),
+                other => other.to_string(),
+            };
+            self.details.push(("written by".into(), writer));
         }
     }
 
