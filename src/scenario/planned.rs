@@ -12,8 +12,10 @@ pub struct Plan {
     pub title: String,
     /// What to see in it.
     pub summary: String,
-    /// The scene as text, overrides applied; recordings carry it, and its hash identifies them.
+    /// The scene as text, overrides applied, as recordings carry it; empty where a program made the scene.
     pub text: String,
+    /// All that tells this plan from others, in words: recordings of equal identity hold the same motion.
+    pub identity: String,
     /// Where the numbers come from.
     pub provenance: Provenance,
     /// When samples are taken.

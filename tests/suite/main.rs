@@ -1,29 +1,29 @@
 #![allow(missing_docs)]
 
-mod equivalence;
-#[cfg(feature = "serde")]
-mod mesh_files;
-mod particles;
 #[cfg(feature = "serde")]
 mod bad_scenes;
 #[cfg(feature = "cli")]
 mod cli;
-mod floors;
-mod oracle;
-mod reference;
-mod effort;
-mod forced_oracle;
-mod motions;
-mod order;
-mod torque_laws;
-mod free_laws;
-mod numerics;
-#[cfg(feature = "serde")]
-mod scenarios;
 mod csv_format;
+mod effort;
+mod equivalence;
 mod faults;
+mod floors;
+mod forced_oracle;
+mod free_laws;
 #[cfg(feature = "mcap")]
 mod mcap_format;
+#[cfg(feature = "serde")]
+mod mesh_files;
+mod motions;
+mod numerics;
+mod oracle;
+mod order;
+mod particles;
 mod planned;
+mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;
+#[cfg(feature = "serde")]
+mod scenarios;
+mod torque_laws;

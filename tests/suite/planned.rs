@@ -15,6 +15,7 @@ pub fn plan(count: u64) -> Plan {
         title: "Two bodies".into(),
         summary: "Nothing to see".into(),
         text: "title = \"Two bodies\"\n".into(),
+        identity: "two bodies".into(),
         provenance: Provenance::default(),
         grid: Grid::Uniform { every_s: 1e-3, count },
         bodies: vec![body("upper", &Channel::ALL), body("lower", &lower)],
@@ -93,6 +94,7 @@ pub fn picture(plan: &Plan) -> Picture {
     };
     Picture {
         stride: 4,
+        last: plan.grid.len() - 1,
         eye: Vector3::new(3.0, 0.0, 1.0),
         target: Vector3::zeros(),
         bodies: plan.bodies.iter().map(body).collect(),

@@ -2,7 +2,7 @@
 
 mod camera;
 mod preview;
-mod scale;
+pub(super) mod scale;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -13,6 +13,8 @@ use crate::telemetry::{BodySamples, Channel};
 pub struct Picture {
     /// Every how many samples the moving parts are drawn: 60 Hz of simulated time are enough for the eye.
     pub stride: u64,
+    /// Number of the run's last sample, which is drawn whatever the stride.
+    pub last: u64,
     /// Where the camera stands, world axes, m.
     pub eye: Vector3<f64>,
     /// What it looks at, world axes, m.
@@ -121,6 +123,6 @@ impl Picture {
     /// Whether sample `index` of the run is drawn.
     #[must_use]
     pub const fn draws(&self, index: u64) -> bool {
-        index.is_multiple_of(self.stride)
+        index.is_multiple_of(self.stride) || index == self.last
     }
 }

@@ -1,6 +1,7 @@
 use nalgebra::Vector3;
 
-use super::{Arrow, BodyPicture, Picture, Quantity, camera, scale};
+use super::camera::{self, Room};
+use super::{Arrow, BodyPicture, Picture, Quantity, scale};
 use crate::propagation::PropagationError;
 use crate::scenario::{Plan, PlannedBody};
 use crate::telemetry::{BodySamples, Channel};
@@ -9,17 +10,19 @@ use crate::telemetry::{BodySamples, Channel};
 const LOOKS: u64 = 400;
 /// Moving parts are drawn no more often than this, Hz of simulated time: more than the eye and viewers follow.
 const PICTURE_RATE: f64 = 60.0;
-/// Arrows that differ in length by quantity can be told apart where they point the same way, as ω and L mostly do.
+/// Longest length in extents, and colour. ω and L mostly point nearly the same way: their lengths tell them apart.
 const QUANTITIES: [(Quantity, f64, [u8; 3]); 4] = [
-    (Quantity::AngularVelocity, 1.7, [213, 94, 0]),
-    (Quantity::AngularMomentum, 2.1, [0, 114, 178]),
-    (Quantity::Moment, 1.4, [0, 158, 115]),
-    (Quantity::Force, 1.4, [204, 121, 167]),
+    (Quantity::AngularVelocity, 1.3, [240, 150, 20]),
+    (Quantity::AngularMomentum, 2.2, [0, 145, 230]),
+    (Quantity::Moment, 1.4, [204, 121, 167]),
+    (Quantity::Force, 1.4, [150, 200, 60]),
 ];
-/// How far the picture of a body reaches, in extents: the longest arrows seldom point to a corner.
-const REACH: f64 = 1.5;
-/// Bodies in the order of the scene; the first is neutral so that the arrows stand out.
-const BODY_COLOURS: [[u8; 4]; 4] = [[196, 200, 206, 255], [86, 180, 233, 255], [230, 159, 0, 255], [240, 228, 66, 255]];
+/// How far the picture of a body reaches, in extents: arrows are seldom at their longest, and point out of the picture
+/// or into it as often as along it.
+const REACH: f64 = 2.0;
+/// Bodies in the order of the scene: all pale, so that the arrows stand out.
+const BODY_COLOURS: [[u8; 4]; 4] =
+    [[196, 200, 206, 255], [143, 170, 200, 255], [200, 172, 140, 255], [158, 184, 150, 255]];
 
 /// What a look over the run shows of one body.
 struct Look {
@@ -32,10 +35,9 @@ struct Look {
 }
 
 impl Look {
-    /// Corners of the box that the body with its arrows stays in.
-    fn reach(&self) -> [Vector3<f64>; 2] {
-        let arrows = Vector3::repeat(REACH * self.extent);
-        [self.lowest - arrows, self.highest + arrows]
+    /// What the body with its arrows takes of the picture.
+    fn room(&self) -> Room {
+        Room { lowest: self.lowest, highest: self.highest, radius: REACH * self.extent }
     }
 }
 
@@ -50,11 +52,11 @@ impl Picture {
         let mut times: Vec<f64> = (0..=looks).map(|look| plan.grid.time(last * look / looks)).collect();
         times.dedup();
         let looks = plan.bodies.iter().map(|body| look(body, &times)).collect::<Result<Vec<_>, _>>()?;
-        let boxes: Vec<_> = looks.iter().map(Look::reach).collect();
-        let (eye, target) = camera::place(&boxes);
+        let rooms: Vec<_> = looks.iter().map(Look::room).collect();
+        let (eye, target) = camera::place(&rooms);
         let bodies = plan.bodies.iter().zip(&looks).zip(BODY_COLOURS.iter().cycle());
         let bodies = bodies.map(|((body, look), colour)| draw(body, look, *colour)).collect();
-        Ok(Self { stride: stride(plan.grid.mean_interval()), eye, target, bodies })
+        Ok(Self { stride: stride(plan.grid.mean_interval()), last, eye, target, bodies })
     }
 }
 

@@ -24,14 +24,21 @@ fn plan(scenario: &Scenario) -> Result<Plan, Refusal> {
         title: or(&scenario.title, &name),
         name,
         summary: scenario.summary.clone(),
-        // A scene made by a program has no text: what it says identifies its recordings all the same.
-        text: if scenario.text.is_empty() { format!("{scenario:#?}") } else { scenario.text.clone() },
+        text: scenario.text.clone(),
+        identity: identity(scenario, &bodies),
         provenance: scenario.provenance.clone(),
         events: events(&bodies, grid.end()),
         checks: checks::plan(scenario, &bodies, grid.end())?,
         grid,
         bodies,
     })
+}
+
+/// The scene in words, and what follows from the mesh files that it names.
+fn identity(scenario: &Scenario, bodies: &[PlannedBody]) -> String {
+    let scene = if scenario.text.is_empty() { format!("{scenario:?}") } else { scenario.text.clone() };
+    let properties: Vec<_> = bodies.iter().map(|body| &body.properties).collect();
+    format!("{scene}\n{properties:?}")
 }
 
 /// The edges of windows within the run.

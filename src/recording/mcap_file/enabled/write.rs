@@ -22,7 +22,6 @@ pub struct McapFile {
     scene: MovingScene,
     log: EventLog,
     picture: Picture,
-    last: u64,
     end_ns: i64,
     message: Vec<u8>,
 }
@@ -60,15 +59,9 @@ impl McapFile {
             scene,
             log,
             picture: picture.clone(),
-            last: plan.grid.len().saturating_sub(1),
             end_ns: nanoseconds(plan.grid.end()),
             message: Vec::new(),
         })
-    }
-
-    /// Whether sample `index` of the run is drawn: at the picture's rate, and the last.
-    fn draws(&self, index: u64) -> bool {
-        self.picture.draws(index) || index == self.last
     }
 }
 
@@ -81,7 +74,7 @@ impl Sink for McapFile {
                 encoder.encode((time_s, stamp_ns), body.columns(), index, &mut self.message);
                 self.output.send(topic, stamp_ns, &self.message)?;
             }
-            if self.draws(number) {
+            if self.picture.draws(number) {
                 self.scene.draw(samples, index, &mut self.output)?;
             }
         }

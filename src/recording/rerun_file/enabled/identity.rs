@@ -5,13 +5,13 @@ use uuid::Uuid;
 use crate::scenario::Plan;
 
 /// The store of the samples. The viewer merges files with equal ids, so equal ids mean equal contents: the id is a hash
-/// of the scene, its name and this crate's version.
+/// of what identifies the plan, of its name and of this crate's version.
 ///
 /// # Errors
 /// If Rerun refuses the name.
 pub(super) fn recording(plan: &Plan) -> Result<StoreId, String> {
     let mut hash = Sha256::new();
-    for part in [env!("CARGO_PKG_VERSION"), plan.name.as_str(), plan.text.as_str()] {
+    for part in [env!("CARGO_PKG_VERSION"), plan.name.as_str(), plan.identity.as_str()] {
         hash.update(part.as_bytes());
         hash.update([0]);
     }

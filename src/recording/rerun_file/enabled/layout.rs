@@ -13,7 +13,7 @@ use super::statics::BodyEntities;
 use super::stream::{Store, Stream};
 use super::trail::Cut;
 use crate::recording::RecordingError;
-use crate::recording::picture::Picture;
+use crate::recording::picture::{Picture, scale};
 use crate::scenario::{Plan, nanoseconds};
 
 /// What is on the screen at first: the picture above its explanation, the plots beside them.
@@ -52,7 +52,7 @@ pub(super) struct Floor {
     pub(super) height: f64,
     /// Extent of the largest body, m.
     pub(super) size: f64,
-    /// Where the world's axes are drawn: in front of the bodies, on the left, m.
+    /// Where the world's axes are drawn: beside the bodies, on the left, m.
     pub(super) corner: Vector3<f64>,
 }
 
@@ -69,7 +69,7 @@ impl Floor {
         let left = Vector3::z().cross(&ahead);
         let distances = picture.bodies.iter().map(|drawing| (drawing.position - picture.target).xy().norm());
         let spread = distances.fold(0.0, f64::max);
-        let corner = picture.target + left * (spread + 1.6 * size) - ahead * (0.8 * size);
+        let corner = picture.target + left * (spread + 1.9 * size) + ahead * (0.2 * size);
         Self { height, size, corner: Vector3::new(corner.x, corner.y, height) }
     }
 }
@@ -142,7 +142,5 @@ fn round_number(value: f64) -> f64 {
     if !value.is_normal() {
         return 1.0;
     }
-    let power = 10.0_f64.powf(value.log10().floor());
-    let digit = [5.0, 2.0, 1.0].into_iter().find(|digit| digit * power <= value).unwrap_or(1.0);
-    digit * power
+    scale::round_down(value)
 }

@@ -16,7 +16,7 @@ use crate::telemetry::{BodySamples, Channel, Samples};
 
 /// What moves in the picture, at the picture's rate.
 pub(super) struct Moving {
-    stride: u64,
+    picture: Picture,
     bodies: Vec<MovingBody>,
     drawn: Drawn,
 }
@@ -46,7 +46,7 @@ impl Moving {
     pub(super) fn new(plan: &Plan, picture: &Picture) -> Self {
         let cut = Cut::new(plan, picture);
         let bodies = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| MovingBody::new(body, drawing, cut));
-        Self { stride: picture.stride.max(1), bodies: bodies.collect(), drawn: Drawn::default() }
+        Self { picture: picture.clone(), bodies: bodies.collect(), drawn: Drawn::default() }
     }
 
     /// Logs the pictures of one batch.
@@ -59,7 +59,7 @@ impl Moving {
         store: Store,
         samples: &Samples,
     ) -> Result<(), RecordingError> {
-        self.drawn.select(samples, self.stride);
+        self.drawn.select(samples, &self.picture);
         if self.drawn.indices.is_empty() {
             return Ok(());
         }
@@ -75,12 +75,9 @@ impl Moving {
 }
 
 impl Drawn {
-    fn select(&mut self, samples: &Samples, stride: u64) {
-        let past = samples.first_index % stride;
-        let first = usize::try_from((stride - past) % stride).unwrap_or(usize::MAX);
-        let every = usize::try_from(stride).unwrap_or(usize::MAX);
+    fn select(&mut self, samples: &Samples, picture: &Picture) {
         self.indices.clear();
-        self.indices.extend((first..samples.len()).step_by(every));
+        self.indices.extend((0..samples.len()).filter(|index| picture.draws(samples.first_index + *index as u64)));
         self.stamps.clear();
         self.stamps.extend(self.indices.iter().map(|index| samples.stamps_ns[*index]));
         self.steps.clear();
