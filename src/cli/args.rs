@@ -43,6 +43,7 @@ pub(super) struct ListArguments {
 }
 
 #[derive(Debug, Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(super) struct RunArguments {
     /// Names of scenes that come with the program, or TOML files.
     #[arg(required_unless_present = "all", conflicts_with = "all")]

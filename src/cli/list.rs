@@ -24,9 +24,9 @@ pub fn execute(arguments: &ListArguments) -> io::Result<Outcome> {
         values.push(json!({ "name": name, "title": scenario.title, "summary": scenario.summary }));
     }
     if arguments.json {
-        print_json(&Value::Array(values))?
+        print_json(&Value::Array(values))?;
     } else {
-        print(&table.render(""))?
+        print(&table.render(""))?;
     }
     Ok(Outcome::Done)
 }
