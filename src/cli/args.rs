@@ -98,16 +98,16 @@ pub(super) struct Overrides {
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
     /// Attitude error to aim at over the whole run, rad.
-    #[arg(long, value_name = "RAD")]
+    #[arg(long, value_name = "RAD", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
     /// Step of a method with a fixed step, s.
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub step: Option<String>,
     /// How long, s.
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub duration: Option<String>,
     /// Time between samples, s.
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub sample_every: Option<String>,
     /// What to record, by name, in place of what the scene says.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
