@@ -25,5 +25,7 @@ mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;
 #[cfg(feature = "serde")]
+mod same_motion;
+#[cfg(feature = "serde")]
 mod scenarios;
 mod torque_laws;
