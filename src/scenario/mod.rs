@@ -25,5 +25,5 @@ pub use run::{Run, nanoseconds};
 pub use scene::{
     BodySpec, BoxSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec, ForceSpec, ForceSpecs, Frame,
     GravityGradientSpec, MeshSpec, Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance,
-    RoundSpec, Scenario, SolidSpecs, SphereSpec, TorqueSpecs, TorusSpec, ValueSpec,
+    RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, TorqueSpecs, TorusSpec, ValueSpec,
 };

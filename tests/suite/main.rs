@@ -29,3 +29,4 @@ mod same_motion;
 #[cfg(feature = "serde")]
 mod scenarios;
 mod torque_laws;
+mod work_precision;

@@ -1,6 +1,6 @@
 use super::rules::{positive, unused};
 use crate::dynamics::Problem;
-use crate::scenario::{Key, Method, Path, Refusal, Scenario};
+use crate::scenario::{Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
 
 /// Per step, where no tolerance is asked for: as tight as f64 carries.
 const TIGHTEST: f64 = 1e-16;
@@ -8,6 +8,26 @@ const TIGHTEST: f64 = 1e-16;
 const TIGHTEST_DOP853: f64 = 1e-15;
 /// Share of the whole run's tolerance that one step may spend.
 const SHARE_OF_A_STEP: f64 = 1e-2;
+
+impl PlannedBody {
+    /// The same body by another method, under the rules of scenes; `value` is the tolerance (rad, over the whole run)
+    /// or the step (s) of a method that is told one.
+    ///
+    /// # Errors
+    /// If the method does not cover the body, or the value breaks its rule.
+    pub fn by(mut self, method: Method, value: Option<f64>) -> Result<Self, ScenarioError> {
+        let of = |setting| value.filter(|_| method.setting() == setting);
+        let asked = Scenario {
+            method,
+            tolerance_rad: of(Setting::Tolerance),
+            step_s: of(Setting::Step),
+            file: self.name.clone(),
+            ..Scenario::default()
+        };
+        (self.path, self.reason) = choose(&asked, &self.problem).map_err(|refusal| refusal.locate(&asked))?;
+        Ok(self)
+    }
+}
 
 /// Which propagator a body takes, and why.
 pub fn choose(scenario: &Scenario, problem: &Problem) -> Result<(Path, String), Refusal> {

@@ -9,5 +9,5 @@ mod solids;
 pub use body::{BodySpec, MeshSpec, ParticleSpec, PivotSpec};
 pub use checks::{Checks, DriftSpec, FlipPeriodSpec, Frame, PrecessionRateSpec, ValueSpec};
 pub use loads::{DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
-pub use scenario::{Method, Provenance, Scenario};
+pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

@@ -64,6 +64,44 @@ pub enum Method {
     Dop853,
 }
 
+/// What a method is told about the accuracy wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Setting {
+    /// Nothing: it is exact, or chooses for itself.
+    None,
+    /// `tolerance_rad`.
+    Tolerance,
+    /// `step_s`.
+    Step,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Auto, Self::ClosedForm, Self::Taylor, Self::Rk4, Self::Dop853];
+
+    /// As scenes spell it.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::ClosedForm => "closed_form",
+            Self::Taylor => "taylor",
+            Self::Rk4 => "rk4",
+            Self::Dop853 => "dop853",
+        }
+    }
+
+    /// What it is told about the accuracy wanted.
+    #[must_use]
+    pub const fn setting(self) -> Setting {
+        match self {
+            Self::Auto | Self::ClosedForm => Setting::None,
+            Self::Taylor | Self::Dop853 => Setting::Tolerance,
+            Self::Rk4 => Setting::Step,
+        }
+    }
+}
+
 /// Where a scene's numbers come from.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
