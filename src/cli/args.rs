@@ -10,6 +10,7 @@ Examples:
   polhode run my_scene.toml --format csv          a scene of your own, as a table
   polhode run dzhanibekov --duration 30 --set body.0.angular_momentum_n_m_s='[0, 2, 0.1]'
   polhode plan lagrange_top                       which method, why, and what is skipped
+  polhode bench dzhanibekov --plot costs.svg      what each method costs for how much accuracy
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
 
 Exit codes: 0 done, 1 a check failed, 2 could not (usage, input, file).";
@@ -31,6 +32,8 @@ pub(super) enum Command {
     Run(RunArguments),
     /// Show how a scene would be run: each body's path, its reason, and what is skipped.
     Plan(PlanArguments),
+    /// Measure what each method costs for how much accuracy, against a reference.
+    Bench(BenchArguments),
     /// Show what is in a recording (.mcap, .rrd, .csv).
     Inspect(InspectArguments),
 }
@@ -80,6 +83,37 @@ pub(super) struct PlanArguments {
     pub json: bool,
     #[command(flatten)]
     pub overrides: Overrides,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct BenchArguments {
+    /// Names of scenes that come with the program, or TOML files.
+    #[arg(required = true)]
+    pub scenes: Vec<String>,
+    /// By these; left out: by all that cover a body. `auto` stands for what it picks.
+    #[arg(long, value_name = "METHOD,…", value_delimiter = ',')]
+    pub methods: Vec<String>,
+    /// Attitude errors to reach, rad.
+    #[arg(long, value_name = "RAD,…", value_delimiter = ',', default_value = "1e-3,1e-6,1e-9,1e-12")]
+    pub errors: Vec<f64>,
+    /// How long to repeat runs for the sake of the median, s, for each body.
+    #[arg(long, value_name = "S", default_value_t = 2.0)]
+    pub budget: f64,
+    /// Results as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// Every run measured, as a table.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Error against cost, drawn: .svg or .png.
+    #[arg(long, value_name = "FILE")]
+    pub plot: Vec<PathBuf>,
+    /// How long the motion lasts, s.
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub duration: Option<String>,
+    /// Any key of the scene, such as `body.0.angular_velocity_rad_s=[0, 5, 0.01]`.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
 }
 
 #[derive(Debug, Args)]

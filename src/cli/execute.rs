@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use super::args::Command;
 use super::output::remark;
-use super::{Arguments, inspect, list, plan, run};
+use super::{Arguments, bench, inspect, list, plan, run};
 use crate::scenario::{Scenario, ScenarioError};
 
 /// How a command ended.
@@ -25,6 +25,7 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::List(arguments) => list::execute(&arguments),
         Command::Run(arguments) => run::execute(&arguments),
         Command::Plan(arguments) => plan::execute(&arguments),
+        Command::Bench(arguments) => bench::execute(&arguments),
         Command::Inspect(arguments) => inspect::execute(&arguments),
     };
     let outcome = outcome.unwrap_or_else(|error: io::Error| {

@@ -3,6 +3,7 @@
 //! Results go to stdout, progress and remarks to stderr. Exit codes: 0 done, 1 a check failed, 2 could not.
 
 mod args;
+mod bench;
 mod execute;
 mod inspect;
 mod list;

@@ -152,3 +152,35 @@ fn list_names_every_scene() {
     let scenes: Value = serde_json::from_slice(&output.stdout).expect("stdout is JSON");
     assert!(scenes.as_array().is_some_and(|scenes| scenes.len() >= 15));
 }
+
+#[test]
+fn bench_measures_draws_and_tabulates() {
+    let folder = folder_with(SCENE);
+    let files = ["--csv", "costs.csv", "--plot", "costs.svg", "--plot", "costs.png"];
+    let asked = ["bench", "scene.toml", "--json", "--errors", "1e-3,1e-6", "--budget", "0"];
+    let output = polhode(folder.path(), &[&asked[..], &files[..]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let studies: Value = serde_json::from_slice(&output.stdout).expect("stdout is JSON");
+    let study = &studies[0]["bodies"][0];
+    assert_eq!(study["picked_by_auto"], "closed_form");
+    assert!(study["levels"].as_array().is_some_and(|levels| levels.iter().all(|level| !level["point"].is_null())));
+    let read = |name: &str| fs::read(folder.path().join(name)).expect("the file is written");
+    assert!(read("costs.svg").starts_with(b"<svg"));
+    assert!(read("costs.png").starts_with(b"\x89PNG"));
+    let table = String::from_utf8(read("costs.csv")).expect("UTF-8");
+    assert_eq!(table.lines().count(), 1 + study["points"].as_array().expect("points").len());
+}
+
+#[test]
+fn bench_refuses_what_it_cannot_do() {
+    let folder = folder_with(SCENE);
+    for (flags, words) in [
+        (["--methods", "euler"], "is no method"),
+        (["--errors", "0"], "must be positive"),
+        (["--plot", "costs.pdf"], "ends in .svg or .png"),
+    ] {
+        let output = polhode(folder.path(), &[&["bench", "scene.toml", "--budget", "0"], &flags[..]].concat());
+        assert_eq!(output.status.code(), Some(2), "{flags:?}");
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+    }
+}

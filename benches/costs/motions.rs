@@ -1,0 +1,89 @@
+//! Set-up and samples of each path.
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use nalgebra::Vector3;
+use polhode::body::{AngularVelocity, Attitude, PrincipalMoments, State};
+use polhode::dynamics::{Load, Problem, Torque, Window};
+use polhode::propagation::{FreeRotation, Propagator, States, Taylor};
+
+/// Samples in a batch.
+pub const COUNT: usize = 4096;
+
+pub fn problem(moments: [f64; 3], rates: [f64; 3]) -> Problem {
+    Problem {
+        moments: PrincipalMoments::new(moments).expect("moments of a body"),
+        mass: Some(1.0),
+        initial: State {
+            attitude: Attitude::identity(),
+            angular_velocity: AngularVelocity::new(rates).expect("finite"),
+            position: Vector3::zeros(),
+            velocity: Vector3::new(1.0, 0.0, 0.0),
+        },
+        loads: Vec::new(),
+        gravity: Vector3::zeros(),
+        wants_attitude: true,
+        wants_translation: false,
+    }
+}
+
+pub fn with_torque(mut problem: Problem) -> Problem {
+    let torque = Torque::ConstantBody { moment: Vector3::new(0.1, 0.2, -0.1) };
+    problem.loads.push(Load { torque, window: Window::ALWAYS });
+    problem
+}
+
+pub fn times() -> Vec<f64> {
+    (0..4096).map(|index| f64::from(index) * 0.01).collect()
+}
+
+/// One per branch of the closed form.
+const BRANCHES: [(&str, [f64; 3], [f64; 3]); 5] = [
+    ("tri-axial", [1.0, 2.0, 3.0], [1.0, 2.0, 1.5]),
+    ("near separatrix", [1.0, 2.0, 3.0], [1e-3, 5.0, 1e-3]),
+    ("symmetric", [1.0, 1.0, 3.0], [1.0, 2.0, 1.5]),
+    ("spherical", [2.0, 2.0, 2.0], [1.0, 2.0, 1.5]),
+    ("principal axis", [1.0, 2.0, 3.0], [0.0, 0.0, 5.0]),
+];
+
+fn branch(name: &str) -> Problem {
+    let (_, moments, rates) = BRANCHES.into_iter().find(|branch| branch.0 == name).expect("a branch of that name");
+    problem(moments, rates)
+}
+
+#[divan::bench(args = BRANCHES.map(|branch| branch.0))]
+fn closed_form_set_up(bencher: Bencher, name: &str) {
+    let problem = branch(name);
+    bencher.bench_local(|| FreeRotation::new(&problem));
+}
+
+#[divan::bench(args = BRANCHES.map(|branch| branch.0))]
+fn closed_form_rates(bencher: Bencher, name: &str) {
+    let mut problem = branch(name);
+    problem.wants_attitude = false;
+    fill(bencher, FreeRotation::new(&problem).expect("it is free"));
+}
+
+#[divan::bench(args = BRANCHES.map(|branch| branch.0))]
+fn closed_form_rates_and_attitude(bencher: Bencher, name: &str) {
+    fill(bencher, FreeRotation::new(&branch(name)).expect("it is free"));
+}
+
+fn fill(bencher: Bencher, mut propagator: FreeRotation) {
+    let (times, mut states) = (times(), States::default());
+    bencher.counter(ItemsCount::new(COUNT)).bench_local(|| propagator.fill(&times, &mut states));
+}
+
+/// A hundred seconds with one output: steps, and next to nothing else. 5e-11 gives order 13, 1e-16 order 20.
+#[divan::bench(args = [5e-11, 1e-16])]
+fn taylor_steps(bencher: Bencher, tolerance: f64) {
+    let problem = with_torque(branch("tri-axial"));
+    let mut states = States::default();
+    let mut run = || {
+        let mut taylor = Taylor::new(&problem, tolerance).expect("it is covered");
+        taylor.fill(&[100.0], &mut states).expect("it runs");
+        taylor.effort().steps
+    };
+    let steps = run();
+    bencher.counter(ItemsCount::new(steps)).bench_local(run);
+}

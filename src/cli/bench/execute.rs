@@ -1,0 +1,98 @@
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use serde_json::Value;
+use thiserror::Error;
+
+use super::{clock, csv, plot, report};
+use crate::cli::args::BenchArguments;
+use crate::cli::execute::{Outcome, scenario};
+use crate::cli::output::{print, print_json, remark};
+use crate::scenario::{Method, Plan, ScenarioError};
+use crate::study::{Request, WorkPrecision, work_precision};
+
+/// Why there is no result.
+#[derive(Debug, Error)]
+pub enum BenchError {
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    #[error("--methods: {0:?} is no method: take {names}", names = names().join(", "))]
+    UnknownMethod(String),
+    #[error("--errors: {0:?} rad must be positive and at most π")]
+    BadError(f64),
+    #[error("cannot write {path}: {source}")]
+    File { path: String, source: io::Error },
+    #[error("cannot draw {path}: {message}")]
+    Plot { path: String, message: String },
+}
+
+/// A scene's name and the study of each of its bodies.
+pub type Studies = Vec<(String, Vec<WorkPrecision>)>;
+
+/// Measures scenes one after another, on one thread: what ran beside it would spoil its times.
+pub fn execute(arguments: &BenchArguments) -> io::Result<Outcome> {
+    let studies = match studies(arguments) {
+        Ok(studies) => studies,
+        Err(error) => return Ok(impossible(&error)),
+    };
+    if arguments.json {
+        print_json(&Value::Array(studies.iter().map(report::as_json).collect()))?;
+    } else {
+        print(&studies.iter().map(report::as_text).collect::<Vec<_>>().join("\n"))?;
+    }
+    Ok(files(arguments, &studies).map_or_else(|error| impossible(&error), |()| Outcome::Done))
+}
+
+fn impossible(error: &BenchError) -> Outcome {
+    remark(&format!("error: {error}"));
+    Outcome::Impossible
+}
+
+fn studies(arguments: &BenchArguments) -> Result<Studies, BenchError> {
+    let request = request(arguments)?;
+    let mut assignments: Vec<String> = arguments.duration.iter().map(|value| format!("duration_s={value}")).collect();
+    assignments.extend(arguments.set.iter().cloned());
+    // Every scene is planned before any is measured: a mistake in the last must not cost the time of the first.
+    let plan = |name: &String| Plan::new(&scenario(name, &assignments)?);
+    let plans = arguments.scenes.iter().map(plan).collect::<Result<Vec<_>, _>>()?;
+    let study = |plan: &Plan| {
+        let bodies = plan.bodies.iter().map(|body| work_precision(body, plan.grid.end(), &request));
+        Ok((plan.name.clone(), bodies.collect::<Result<Vec<_>, ScenarioError>>()?))
+    };
+    plans.iter().map(study).collect()
+}
+
+fn request(arguments: &BenchArguments) -> Result<Request, BenchError> {
+    let method = |name: &String| {
+        let found = Method::ALL.into_iter().find(|method| method.key() == name);
+        found.ok_or_else(|| BenchError::UnknownMethod(name.clone()))
+    };
+    let mut request = Request { clock: clock::clock, budget_s: arguments.budget, ..Request::default() };
+    if !arguments.methods.is_empty() {
+        request.methods = arguments.methods.iter().map(method).collect::<Result<_, _>>()?;
+    }
+    if let Some(bad) = arguments.errors.iter().find(|error| !(**error > 0.0 && **error <= std::f64::consts::PI)) {
+        return Err(BenchError::BadError(*bad));
+    }
+    request.errors_rad.clone_from(&arguments.errors);
+    Ok(request)
+}
+
+fn names() -> Vec<&'static str> {
+    Method::ALL.into_iter().map(Method::key).collect()
+}
+
+fn files(arguments: &BenchArguments, studies: &Studies) -> Result<(), BenchError> {
+    if let Some(path) = &arguments.csv {
+        write(path, csv::table(studies).as_bytes())?;
+    }
+    for path in &arguments.plot {
+        plot::draw(path, studies).map_err(|message| BenchError::Plot { path: path.display().to_string(), message })?;
+    }
+    Ok(())
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), BenchError> {
+    fs::write(path, bytes).map_err(|source| BenchError::File { path: path.display().to_string(), source })
+}

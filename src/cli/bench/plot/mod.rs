@@ -1,0 +1,7 @@
+//! Work-precision diagrams, `.svg` and `.png`.
+
+mod draw;
+mod panel;
+mod scale;
+
+pub use draw::draw;
