@@ -46,7 +46,7 @@ pub fn interleaved(works: &mut [impl FnMut()], clock: Clock, budget_s: f64) -> V
     let mut times = vec![Vec::new(); works.len()];
     let start = clock();
     for round in 0..ROUNDS_MAX {
-        if round >= ROUNDS_MIN && (clock() - start).as_secs_f64() > budget_s {
+        if round >= ROUNDS_MIN && clock().saturating_sub(start).as_secs_f64() > budget_s {
             break;
         }
         for ((work, repeats), times) in works.iter_mut().zip(&repeats).zip(&mut times) {
@@ -70,7 +70,7 @@ fn measure(work: &mut impl FnMut(), repeats: u32, clock: Clock) -> f64 {
     for _ in 0..repeats {
         work();
     }
-    (clock() - start).as_secs_f64()
+    clock().saturating_sub(start).as_secs_f64()
 }
 
 #[cfg(test)]
