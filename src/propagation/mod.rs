@@ -3,6 +3,7 @@
 mod ballistic;
 mod error;
 mod free;
+mod precise;
 mod propagator;
 mod runge_kutta;
 mod sampling;
@@ -12,6 +13,7 @@ mod taylor;
 pub use ballistic::Ballistic;
 pub use error::PropagationError;
 pub use free::FreeRotation;
+pub use precise::{PreciseState, PreciseTaylor};
 pub use propagator::{Effort, Propagator};
 pub use runge_kutta::{Dop853, Rk4};
 pub use states::States;

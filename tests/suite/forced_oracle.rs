@@ -45,7 +45,7 @@ fn load(component: &Value) -> Load {
 }
 
 /// The case's problem with all that acts, and translation where the case has one.
-fn problem(case: &Case) -> Problem {
+pub fn problem(case: &Case) -> Problem {
     Problem {
         loads: case.torques.as_array().expect("a list").iter().map(load).collect(),
         wants_translation: case.samples[0].x.is_some(),
@@ -85,7 +85,7 @@ fn size(vector: [DoubleDouble; 3]) -> f64 {
     Vector3::from(vector.map(DoubleDouble::hi)).norm()
 }
 
-fn forced_cases() -> Vec<Case> {
+pub fn forced_cases() -> Vec<Case> {
     let mut cases = cases();
     cases.retain(|case| case.torques.as_array().is_some_and(|torques| !torques.is_empty()));
     cases

@@ -21,6 +21,7 @@ mod oracle;
 mod order;
 mod particles;
 mod planned;
+mod precise;
 mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;
