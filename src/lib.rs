@@ -45,6 +45,7 @@
 //! * [`telemetry`]: named channels with unit and frame, as columns.
 //! * [`scenario`]: what was asked, what will be done, what is happening, and what it must show.
 //! * [`recording`]: columns to `.mcap`, `.rrd` and `.csv`, whole or not at all.
+//! * [`study`]: how good a run is: certificates of its error.
 //!
 //! # Features
 //!
@@ -68,6 +69,8 @@ pub mod telemetry;
 pub mod scenario;
 
 pub mod recording;
+
+pub mod study;
 
 #[cfg(feature = "cli")]
 pub mod cli;

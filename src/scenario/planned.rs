@@ -1,4 +1,4 @@
-use super::{CheckPlan, Grid, Provenance};
+use super::{Certificate, CheckPlan, Grid, Provenance};
 use crate::body::{MassProperties, Surface};
 use crate::dynamics::Problem;
 use crate::telemetry::Channel;
@@ -18,6 +18,8 @@ pub struct Plan {
     pub identity: String,
     /// Where the numbers come from.
     pub provenance: Provenance,
+    /// Attitude error that the whole run must keep, rad, if one was asked for.
+    pub tolerance_rad: Option<f64>,
     /// When samples are taken.
     pub grid: Grid,
     /// The bodies.
@@ -51,6 +53,8 @@ pub struct PlannedBody {
     pub moves: bool,
     /// Whether a point of it is held fixed.
     pub is_pivoted: bool,
+    /// What was measured of its error; `None` until someone does.
+    pub certificate: Option<Certificate>,
 }
 
 /// Which propagator a body takes.

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "serde")]
 mod bad_scenes;
+mod certificates;
 #[cfg(feature = "cli")]
 mod cli;
 mod csv_format;

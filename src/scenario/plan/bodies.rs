@@ -60,6 +60,7 @@ fn body(scenario: &Scenario, key: &Key, spec: &BodySpec, name: String) -> Result
         skipped: Vec::new(),
         is_pivoted,
         moves,
+        certificate: None,
     };
     Ok(body.watching(&recorded))
 }

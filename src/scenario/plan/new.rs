@@ -28,6 +28,7 @@ fn plan(scenario: &Scenario) -> Result<Plan, Refusal> {
         identity: identity(scenario, &bodies),
         provenance: scenario.provenance.clone(),
         events: events(&bodies, grid.end()),
+        tolerance_rad: scenario.tolerance_rad,
         checks: checks::plan(scenario, &bodies, grid.end())?,
         grid,
         bodies,
