@@ -152,3 +152,28 @@ fn list_names_every_scene() {
     let scenes: Value = serde_json::from_slice(&output.stdout).expect("stdout is JSON");
     assert!(scenes.as_array().is_some_and(|scenes| scenes.len() >= 15));
 }
+
+#[test]
+fn a_certified_run_says_its_error_records_it_and_is_held_to_its_tolerance() {
+    let folder = folder_with(SCENE);
+    let run = ["run", "scene.toml", "--certify", "--force"];
+    let output = polhode(folder.path(), &run);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("certified") && stdout(&output).contains("attitude "), "{}", stdout(&output));
+    let recordings = ["scene.mcap", "scene.rrd"].map(|name| folder.path().join("recordings").join(name));
+    let bytes = recordings.each_ref().map(|path| fs::read(path).expect("it is there"));
+    let again = polhode(folder.path(), &[&run[..], &["--json"]].concat());
+    let report: Value = serde_json::from_slice(&again.stdout).expect("stdout is JSON");
+    let certificate = &report[0]["bodies"][0]["certificate"];
+    assert!(certificate["attitude_rad"].as_f64().is_some_and(|error| error < 1e-14), "{certificate:#}");
+    for (path, bytes) in recordings.iter().zip(&bytes) {
+        assert_eq!(fs::read(path).expect("it is there"), *bytes, "{}", path.display());
+    }
+    let name = b"body.body.certificate.attitude_error_rad";
+    assert!(bytes[0].windows(name.len()).any(|window| window == name), "the .mcap carries the certificate");
+
+    let long = ["run", "scene.toml", "--certify", "--format", "csv", "--duration", "1000", "--sample-every", "10"];
+    let missed = polhode(folder.path(), &[&long[..], &["--method", "dop853", "--tolerance", "1e-15"]].concat());
+    assert_eq!(missed.status.code(), Some(1), "{}", stdout(&missed));
+    assert!(stderr(&missed).contains("tolerance missed: body is"), "{}", stderr(&missed));
+}
