@@ -70,13 +70,15 @@ impl ExactMotion {
         let mut reference = PreciseTaylor::new(&body.problem)?.limited_to(MOST_STEPS);
         let mut other = reference.clone().with_tolerance(OTHER_TOLERANCE);
         let mut exact = Self { states: Vec::new(), reached: 0.0, uncertainty: 0.0 };
+        let mut fastest = 0.0_f64;
         for index in spread(count) {
             let time = grid.time(index);
             let (Some(state), Some(again)) = (reference.at(time)?, other.at(time)?) else {
                 exact.reached = reference.reached().min(other.reached());
                 break;
             };
-            let apart = difference(&state, &again);
+            fastest = length(state.angular_velocity).max(fastest);
+            let apart = difference(&state, &again, fastest);
             if apart > TRUSTED {
                 break;
             }
@@ -88,10 +90,10 @@ impl ExactMotion {
     }
 }
 
-/// Of attitudes in rad, or of ω relative to its size; the larger.
-fn difference(a: &PreciseState, b: &PreciseState) -> f64 {
-    let (omega, size) = (distance(a.angular_velocity, b.angular_velocity), length(a.angular_velocity));
-    angle(a.attitude, b.attitude).max(if omega > 0.0 { omega / size } else { 0.0 })
+/// Of attitudes in rad, or of ω relative to the fastest so far, as a body may come to rest; the larger.
+fn difference(a: &PreciseState, b: &PreciseState, fastest: f64) -> f64 {
+    let omega = distance(a.angular_velocity, b.angular_velocity);
+    angle(a.attitude, b.attitude).max(if omega > 0.0 { omega / fastest } else { 0.0 })
 }
 
 /// At most [`MOST_SAMPLES`] of the numbers 0 … count − 1, both ends among them.
