@@ -2,6 +2,7 @@
 
 mod ballistic;
 mod error;
+mod exact;
 mod free;
 mod propagator;
 mod runge_kutta;
