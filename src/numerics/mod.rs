@@ -11,5 +11,5 @@ mod turn;
 pub use compensated::Compensated;
 pub use double_double::{DoubleDouble, two_prod, two_sum};
 pub use elliptic::{carlson_rf, complete_k};
-pub use theta::{FlipSum, NomeSeries, Theta, ThetaPair};
+pub use theta::{FlipSum, NomeSeries, ShiftedFlips, ShiftedPair, ShiftedSeries, Theta, ThetaPair, TwoShifts};
 pub use turn::{Phase, Turn};

@@ -45,7 +45,7 @@ fn load(component: &Value) -> Load {
 }
 
 /// The case's problem with all that acts, and translation where the case has one.
-fn problem(case: &Case) -> Problem {
+pub fn problem(case: &Case) -> Problem {
     Problem {
         loads: case.torques.as_array().expect("a list").iter().map(load).collect(),
         wants_translation: case.samples[0].x.is_some(),

@@ -11,6 +11,7 @@ mod faults;
 mod floors;
 mod forced_oracle;
 mod free_laws;
+mod lagrange_top;
 #[cfg(feature = "mcap")]
 mod mcap_format;
 #[cfg(feature = "serde")]
