@@ -1,6 +1,8 @@
 //! States at given times: closed forms and steppers behind one trait.
 
+mod axial_torque;
 mod ballistic;
+mod damped;
 mod error;
 mod exact;
 mod free;
@@ -11,7 +13,9 @@ mod sampling;
 mod states;
 mod taylor;
 
+pub use axial_torque::AxialTorque;
 pub use ballistic::Ballistic;
+pub use damped::BrakedRotation;
 pub use error::PropagationError;
 pub use free::FreeRotation;
 pub use lagrange_top::LagrangeTop;

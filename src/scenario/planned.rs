@@ -58,6 +58,12 @@ pub struct PlannedBody {
 pub enum Path {
     /// The torque-free closed form: no steps.
     ClosedForm,
+    /// The Lagrange top's closed form: no steps.
+    LagrangeTop,
+    /// The torque-free closed form under a brake along L: no steps.
+    MomentumBrake,
+    /// Rotation about one axis under a constant torque along it: no steps.
+    AxialTorque,
     /// Taylor series.
     Taylor {
         /// Per step, rad.
@@ -81,6 +87,9 @@ impl Path {
     pub const fn name(self) -> &'static str {
         match self {
             Self::ClosedForm => "closed form",
+            Self::LagrangeTop => "closed form of the Lagrange top",
+            Self::MomentumBrake => "closed form under a brake",
+            Self::AxialTorque => "closed form of an axial torque",
             Self::Taylor { .. } => "Taylor",
             Self::Rk4 { .. } => "RK4",
             Self::Dop853 { .. } => "DOP853",

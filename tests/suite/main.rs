@@ -4,6 +4,7 @@
 mod bad_scenes;
 #[cfg(feature = "cli")]
 mod cli;
+mod closed_torques;
 mod csv_format;
 mod effort;
 mod equivalence;

@@ -1,5 +1,6 @@
 use super::rules::{positive, unused};
 use crate::dynamics::Problem;
+use crate::propagation::{AxialTorque, BrakedRotation, LagrangeTop};
 use crate::scenario::{Key, Method, Path, Refusal, Scenario};
 
 /// Per step, where no tolerance is asked for: as tight as f64 carries.
@@ -10,9 +11,9 @@ const TIGHTEST_DOP853: f64 = 1e-15;
 const SHARE_OF_A_STEP: f64 = 1e-2;
 
 /// Which propagator a body takes, and why.
-pub fn choose(scenario: &Scenario, problem: &Problem) -> Result<(Path, String), Refusal> {
+pub fn choose(scenario: &Scenario, problem: &Problem, moves: bool) -> Result<(Path, String), Refusal> {
     let method_key = Key::root("method");
-    let is_free = problem.loads.is_empty();
+    let known = closed_form(problem, moves);
     if scenario.method != Method::Rk4 {
         unused(&Key::root("step_s"), scenario.step_s.as_ref(), "only method = \"rk4\" has a fixed step")?;
     }
@@ -22,16 +23,17 @@ pub fn choose(scenario: &Scenario, problem: &Problem) -> Result<(Path, String), 
     }
     let tolerance = step_tolerance(scenario)?;
     Ok(match scenario.method {
-        Method::Auto if is_free => {
-            (Path::ClosedForm, "no torque acts, so the motion is known in closed form".to_owned())
-        }
-        Method::Auto => {
-            let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
-            (Path::Taylor { tolerance }, reason.to_owned())
-        }
-        Method::ClosedForm if is_free => (Path::ClosedForm, asked("closed_form")),
+        Method::Auto => known.map_or_else(
+            || {
+                let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
+                (Path::Taylor { tolerance }, reason.to_owned())
+            },
+            |(path, reason)| (path, reason.to_owned()),
+        ),
         Method::ClosedForm => {
-            return Err(method_key.refuse("\"closed_form\" needs a body without torques and forces; use \"auto\""));
+            let rule = "\"closed_form\" knows no form for what acts on this body; use \"auto\"";
+            let (path, _) = known.ok_or_else(|| method_key.refuse(rule))?;
+            (path, asked("closed_form"))
         }
         Method::Taylor => (Path::Taylor { tolerance }, asked("taylor")),
         Method::Dop853 => (Path::Dop853 { tolerance: tolerance.max(TIGHTEST_DOP853) }, asked("dop853")),
@@ -41,6 +43,26 @@ pub fn choose(scenario: &Scenario, problem: &Problem) -> Result<(Path, String), 
             (Path::Rk4 { step: positive(&key, step)? }, asked("rk4"))
         }
     })
+}
+
+/// The closed form of a motion, if one is known, and why it is one. It must hold whichever channels are watched.
+fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str)> {
+    if problem.loads.is_empty() {
+        return Some((Path::ClosedForm, "no torque acts, so the motion is known in closed form"));
+    }
+    if BrakedRotation::covers(problem) {
+        let reason = "a brake along the angular momentum only slows the torque-free motion, known in closed form";
+        return Some((Path::MomentumBrake, reason));
+    }
+    if AxialTorque::covers(problem) {
+        let reason = "the torque is constant along the axis of a steady spin, so the angle is a quadratic of time";
+        return Some((Path::AxialTorque, reason));
+    }
+    if !moves && LagrangeTop::covers(problem) {
+        let reason = "a symmetric body under a force on its axis is Lagrange's top, known in closed form";
+        return Some((Path::LagrangeTop, reason));
+    }
+    None
 }
 
 fn asked(method: &str) -> String {

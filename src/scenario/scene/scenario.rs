@@ -54,7 +54,7 @@ pub enum Method {
     /// The best there is for each body.
     #[default]
     Auto,
-    /// The torque-free closed form.
+    /// The closed form of the motion, where one is known.
     ClosedForm,
     /// Taylor series of the equations of motion, with dense output.
     Taylor,
