@@ -2,7 +2,7 @@ use nalgebra::{Matrix4x2, Vector2};
 
 use super::exact::{ExactQuaternion, Motion, fill_rates, fill_rates_and_attitude, unit};
 use super::sampling::check_times;
-use super::{Ballistic, Effort, PropagationError, Propagator, States};
+use super::{Ballistic, Effort, FreeRotation, PropagationError, Propagator, States};
 use crate::dynamics::{Load, Problem, Torque};
 use crate::numerics::{DoubleDouble, Phase};
 
@@ -116,6 +116,14 @@ impl Axial {
     }
 }
 
+impl Axial {
+    /// Whether the angle turned by `time` is small enough for double-double.
+    fn angle_is_finite(&self, time: f64) -> bool {
+        let fastest = self.omega[0].abs().max(1.0) + self.acceleration.hi().abs() * time;
+        fastest * time < FreeRotation::LARGEST_ANGLE
+    }
+}
+
 impl Motion for Axial {
     fn axes(&self) -> [usize; 3] {
         self.axes
@@ -137,6 +145,10 @@ impl Motion for Axial {
 impl Propagator for AxialTorque {
     fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
         check_times(times, self.last_time)?;
+        // Ascending times: if the last angle is a number, all are.
+        if times.last().is_some_and(|&time| !self.motion.angle_is_finite(time)) {
+            return Err(PropagationError::NotFinite { time: self.last_time });
+        }
         self.last_time = times.last().copied().unwrap_or(self.last_time);
         states.reset(times.len(), self.wants_attitude, self.translation.is_some());
         if self.wants_attitude {

@@ -30,16 +30,16 @@ fn brake(problem: &Problem) -> Option<f64> {
 }
 
 impl BrakedRotation {
-    /// Whether one brake along L, without a window, is all that turns the body.
+    /// Whether one brake along L, without a window, is all that turns the body, and [`FreeRotation`] covers the rest.
     #[must_use]
     pub fn covers(problem: &Problem) -> bool {
-        brake(problem).is_some()
+        Self::new(problem).is_ok()
     }
 
     /// The motion of this problem.
     ///
     /// # Errors
-    /// If anything else acts (see [`Self::covers`]), or the moments are too far apart for [`FreeRotation`].
+    /// If anything else turns the body, or its moments are too far apart for [`FreeRotation`].
     pub fn new(problem: &Problem) -> Result<Self, PropagationError> {
         let rule = "one brake along L that acts always must be all that turns the body";
         let method = "the closed form under a brake";

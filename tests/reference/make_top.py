@@ -173,6 +173,7 @@ def write():
     case("nearly_free", "a force of 1e-9 N", I, leaning, (3.0, 2.0, -10.0), 100.0, force=(0.0, 0.0, -1e-9))
     case("fast", "1e4 rad/s", I, leaning, (0.0, 0.0, 1e4), 10.0)
     case("upright_pushed", "through the upright position", I, (1.0, 0.0, 0.0, 0.0), (5.0, 0.0, 30.0), 10.0)
+    case("upright_grazed", "through the upright position, 1e-9 beside it, hardly any spin", I, (1.0, 0.0, 5e-10, 0.0), (5.0, 0.0, 0.001), 5.0)
     case("bottom_pushed", "through the hanging position", I, (0.0, 1.0, 0.0, 0.0), (5.0, 1.0, 30.0), 10.0)
     case("top_to_bottom", "all the way round", I, (0.5, 0.5, 0.5, -0.5), (30.0, 0.001, 0.001), 10.0)
     case("long", "1e6 s", I, leaning, (0.0, -2.0, 90.0), 1e6)

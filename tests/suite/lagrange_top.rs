@@ -1,7 +1,7 @@
 //! The closed form of the Lagrange top: thirty-digit trajectories, agreement with Taylor series, continuity.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use polhode::body::Attitude;
+use polhode::body::{AngularVelocity, Attitude};
 use polhode::dynamics::{Load, Problem, Torque, Window};
 use polhode::numerics::DoubleDouble;
 use polhode::propagation::{LagrangeTop, PropagationError, States, Taylor};
@@ -162,6 +162,53 @@ fn regular_precession_is_the_limit_of_small_nutation() {
     for i in 0..times.len() {
         let omega = Vector3::from(row(&exact.angular_velocity, i));
         assert!((omega.xy().norm() - 0.5).abs() < 1e-15, "{omega}");
+    }
+}
+
+/// A start at `tilt` from upright, or from hanging, with ω across the axis and along it.
+fn degenerate(tilt: f64, from_below: bool, across: f64, spin: f64) -> Problem {
+    let mut problem = upright(tilt, spin);
+    let [w, x, ..] = problem.initial.attitude.wxyz();
+    let [w, x] = if from_below { [-x, w] } else { [w, x] };
+    problem.initial.attitude =
+        Attitude::from_world_from_body(UnitQuaternion::new_unchecked(Quaternion::new(w, x, 0.0, 0.0)));
+    problem.initial.angular_velocity = AngularVelocity::new([across, -0.5 * across, spin]).expect("finite");
+    problem
+}
+
+#[test]
+fn degenerate_starts_agree_with_taylor() {
+    let values = [0.0, 1e-170, 1e-100, 1e-9, 1.0];
+    let times = grid(2.0, 8);
+    // What Taylor's steps cannot tell from nothing, they are not given.
+    let told = |value: f64| if value.abs() < 1e-50 { 0.0 } else { value };
+    for (tilt, across) in values.into_iter().flat_map(|tilt| values.map(|across| (tilt, across))) {
+        for (from_below, spin) in
+            [false, true].into_iter().flat_map(|below| [0.0, -1e-9, 1.0, -30.0].map(|s| (below, s)))
+        {
+            let closed = run(LagrangeTop::new(&degenerate(tilt, from_below, across, spin)).expect("a top"), &times);
+            let plain = degenerate(told(tilt), from_below, told(across), spin);
+            let angle = apart(&closed, &run(Taylor::new(&plain, 1e-16).expect("covered"), &times));
+            assert!(angle < 1e-13, "tilt {tilt:e}, {from_below}, across {across:e}, spin {spin:e}: {angle:e} rad");
+        }
+    }
+}
+
+#[test]
+fn scales_of_moments_and_time_do_not_matter() {
+    let times = grid(5.0, 10);
+    let problem = top([2.0, 2.0, 1.0], [0.5, -1.0, 3.0], [1.0, 2.0, -4.0], [0.0, 0.0, 1.0]);
+    let states = run(LagrangeTop::new(&problem).expect("a top"), &times);
+    for exponent in [-60.0, -20.0, 20.0, 60.0] {
+        // Moments and force alike; then rates, with forces by their square.
+        let by = libm::exp2(exponent);
+        let heavy = top([2.0 * by, 2.0 * by, by], [0.5, -1.0, 3.0], [by, 2.0 * by, -4.0 * by], [0.0, 0.0, 1.0]);
+        assert!(apart(&states, &run(LagrangeTop::new(&heavy).expect("a top"), &times)) < 1e-15);
+        let square = by * by;
+        let force = [square, 2.0 * square, -4.0 * square];
+        let fast = top([2.0, 2.0, 1.0], [0.5 * by, -by, 3.0 * by], force, [0.0, 0.0, 1.0]);
+        let soon: Vec<f64> = times.iter().map(|time| time / by).collect();
+        assert!(apart(&states, &run(LagrangeTop::new(&fast).expect("a top"), &soon)) < 1e-15);
     }
 }
 

@@ -36,22 +36,38 @@ fn conjugate_times([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
     [a * c + b * d, a * d - b * c]
 }
 
-/// The turn from a model's complex number to the start's, by their rates where the numbers are 0.
-fn turn_between(start: [[DoubleDouble; 2]; 2], model: [[f64; 2]; 2]) -> [DoubleDouble; 2] {
-    for (start, model) in start.into_iter().zip(model) {
-        let turn = product(start, conjugate(model.map(DoubleDouble::from)));
-        let size = square(turn).sqrt();
-        if size.hi() > 0.0 {
-            return turn.map(|part| part / size);
-        }
+/// The turn from a model's complex number and its rate to the start's. Both turn alike; where one of them is near 0, and
+/// its direction lost, the other decides.
+fn turn_between(start: [[DoubleDouble; 2]; 2], model: [[f64; 2]; 2], per_second: f64) -> [DoubleDouble; 2] {
+    let [value, rate] = [0, 1].map(|k| product(start[k], conjugate(model[k].map(DoubleDouble::from))));
+    let square_rate = per_second * per_second;
+    let turn = [0, 1].map(|k| value[k] * square_rate + rate[k]);
+    let size = square(turn).sqrt();
+    if size.is_zero() {
+        return [DoubleDouble::ONE, DoubleDouble::ZERO];
     }
-    [DoubleDouble::ONE, DoubleDouble::ZERO]
+    turn.map(|part| part / size)
 }
 
 /// What a sample is made of: A and B, and the slopes that ω needs, all turned.
 struct Model {
     pair: [[f64; 2]; 2],
     slopes: [[f64; 2]; 2],
+}
+
+impl Model {
+    /// A′ and B′ of the model at unit length, but for a positive factor, if A and B turn besides at these rates.
+    fn rates(&self, even: [f64; 2]) -> [[f64; 2]; 2] {
+        let with_turn = |k: usize| {
+            let ([re, im], [slope_re, slope_im]) = (self.pair[k], self.slopes[k]);
+            [slope_re - even[k] * im, slope_im + even[k] * re]
+        };
+        let rates = [with_turn(0), with_turn(1)];
+        let inner =
+            |x: [[f64; 2]; 2]| self.pair.iter().flatten().zip(x.iter().flatten()).map(|(a, b)| a * b).sum::<f64>();
+        let growth = inner(rates) / inner(self.pair);
+        [0, 1].map(|k| [0, 1].map(|i| rates[k][i] - growth * self.pair[k][i]))
+    }
 }
 
 impl<N: Nutation> TopMotion<N> {
@@ -71,9 +87,11 @@ impl<N: Nutation> TopMotion<N> {
             attitude_map: Matrix4::identity(),
         };
         let (model, rates) = (this.model(0.0), start.pair_rates());
+        let even = form.rates.map(DoubleDouble::hi);
+        let model_rates = model.rates(even);
         let turn = [0, 1].map(|k| {
-            // Where A or B is 0 its phase adds nothing to its rate.
-            turn_between([start.pair[k], rates[k]], [model.pair[k], model.slopes[k]])
+            let per_second = this.slope_rate + even[k].abs();
+            turn_between([start.pair[k], rates[k]], [model.pair[k], model_rates[k]], per_second)
         });
         this.rates_turn = product(conjugate(turn[0]), turn[1]).map(DoubleDouble::hi);
         let [[a_re, a_im], [b_re, b_im]] = turn;

@@ -8,7 +8,7 @@ use crate::dynamics::{Load, Problem, Torque};
 use crate::numerics::{DoubleDouble, ShiftedFlips, ShiftedSeries};
 use crate::propagation::exact::{ExactQuaternion, Motion, fill_rates, fill_rates_and_attitude};
 use crate::propagation::sampling::check_times;
-use crate::propagation::{Effort, PropagationError, Propagator, States};
+use crate::propagation::{Effort, FreeRotation, PropagationError, Propagator, States};
 
 /// The motion of a symmetric top under a force constant in the world, exactly: any tilt, spin and time.
 ///
@@ -20,6 +20,8 @@ pub struct LagrangeTop {
     branch: Branch,
     wants_attitude: bool,
     last_time: f64,
+    /// Times beyond it would overflow the phases, s.
+    horizon: f64,
     evaluations: u64,
 }
 
@@ -54,10 +56,11 @@ fn weight(problem: &Problem) -> Option<Weight> {
 
 impl LagrangeTop {
     /// Whether the problem is a Lagrange top: one force constant in the world that acts always, its arm along a
-    /// principal axis, the two moments about the others equal in every bit, no translation asked for.
+    /// principal axis, the two moments about the others equal in every bit, no translation asked for, and no number so
+    /// far from the others that constants overflow.
     #[must_use]
     pub fn covers(problem: &Problem) -> bool {
-        weight(problem).is_some()
+        Self::new(problem).is_ok()
     }
 
     /// The motion of this problem.
@@ -77,7 +80,9 @@ impl LagrangeTop {
         if !branch.is_finite() {
             return Err(refuse("its moments, force and rates are too far apart"));
         }
-        Ok(Self { branch, wants_attitude: problem.wants_attitude, last_time: 0.0, evaluations: 0 })
+        let fastest = problem.initial.angular_velocity.in_body().amax() + start.strength.hi().sqrt();
+        let horizon = FreeRotation::LARGEST_ANGLE / fastest.max(1.0);
+        Ok(Self { branch, wants_attitude: problem.wants_attitude, last_time: 0.0, horizon, evaluations: 0 })
     }
 
     fn fill_columns<M: Motion>(&self, motion: &M, times: &[f64], states: &mut States) {
@@ -118,6 +123,9 @@ impl Branch {
 impl Propagator for LagrangeTop {
     fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
         check_times(times, self.last_time)?;
+        if times.last().is_some_and(|&time| time > self.horizon) {
+            return Err(PropagationError::NotFinite { time: self.last_time });
+        }
         self.last_time = times.last().copied().unwrap_or(self.last_time);
         states.reset(times.len(), self.wants_attitude, false);
         match &self.branch {
