@@ -82,6 +82,20 @@ fn bodies_take_a_closed_form_where_one_is_known_and_taylor_series_elsewhere() {
 }
 
 #[test]
+fn brakes_take_a_closed_form_unless_they_have_a_window() {
+    let scene = |window: &str| {
+        let text = format!(
+            "duration_s = 1.0\nsample_every_s = 0.1\n[[body]]\nprincipal_moments_kg_m2 = [1.0, 2.0, 2.5]\n\
+             angular_velocity_rad_s = [0.1, 5.0, 0.1]\n[[body.torque.momentum_brake]]\nrate_per_s = 0.1\n{window}"
+        );
+        let scenario = Scenario::parse(&text, "brake.toml", &[]).expect("a scene");
+        Plan::new(&scenario).expect("a plan").bodies.remove(0)
+    };
+    assert_eq!(scene("").path, Path::MomentumBrake);
+    assert!(matches!(scene("end_s = 0.5").path, Path::Taylor { .. }));
+}
+
+#[test]
 fn scenes_run_to_their_last_sample() {
     for name in library::names() {
         let plan = plan(name);
