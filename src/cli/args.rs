@@ -8,7 +8,8 @@ Examples:
   polhode run dzhanibekov                         recordings/dzhanibekov.mcap and .rrd
   polhode run --all --out /tmp/all --force        every scene
   polhode run my_scene.toml --format csv          a scene of your own, as a table
-  polhode run dzhanibekov --duration 30 --set body.0.angular_momentum_n_m_s='[0, 2, 0.1]'
+  polhode run dzhanibekov --duration 90 --sample-every 0.001
+  polhode run my_scene.toml --set 'body.0.angular_velocity_rad_s=[0, 6, 0.1]'
   polhode plan lagrange_top                       which method, why, and what is skipped
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
 
