@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use super::{BodySpec, Checks};
 
-/// What was asked. [`super::Plan::new`] checks it.
+/// What was asked. [`Plan::new`](crate::scenario::Plan::new) checks it.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
 pub struct Scenario {
