@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use polhode::body::{Moment, State};
 use polhode::dynamics::{Problem, TorqueModel};
-use polhode::propagation::{Dop853, Propagator, Rk4, States, Taylor};
+use polhode::propagation::{Dop853, FixedStep, FixedStepMethod, Propagator, States, Taylor};
 
 use crate::motions::{MOMENTS, RATES, differences, every_torque, grid, problem, run};
 
@@ -24,7 +24,7 @@ fn error(problem: &Problem, mut propagator: impl Propagator) -> (f64, f64) {
 fn rk4_is_of_order_4() {
     for (name, torque) in every_torque() {
         let problem = problem(MOMENTS, RATES, &[torque]);
-        let at = |step: f64| error(&problem, Rk4::new(&problem, step).expect("covered")).0;
+        let at = |step: f64| error(&problem, FixedStep::new(&problem, FixedStepMethod::Rk4, step).expect("covered")).0;
         let order = libm::log2(at(1.0 / 32.0) / at(1.0 / 64.0));
         assert!((order - 4.0).abs() < 0.3, "{name}: order {order}");
     }
@@ -70,7 +70,7 @@ fn a_users_own_torque_converges() {
     let times = grid(END, 3);
     let fine = run(Dop853::with_model(&problem, Box::new(Spring), 1e-14).expect("covered"), &times);
     let at = |step: f64| {
-        let rk4 = Rk4::with_model(&problem, Box::new(Spring), step).expect("covered");
+        let rk4 = FixedStep::with_model(&problem, Box::new(Spring), FixedStepMethod::Rk4, step).expect("covered");
         differences(&run(rk4, &times), &fine).0
     };
     let order = libm::log2(at(1.0 / 32.0) / at(1.0 / 64.0));

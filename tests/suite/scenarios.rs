@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path as FilePath;
 
+use polhode::propagation::FixedStepMethod;
 use polhode::scenario::{Path, Plan, Scenario, library};
 
 /// More than this takes long to record and to load.
@@ -103,7 +104,7 @@ fn any_key_can_be_overridden() {
     assert_eq!(scenario.duration_s, Some(2.0));
     assert_eq!(scenario.body[0].angular_velocity_rad_s, Some([0.0, 0.5, 6.0]));
     let plan = Plan::new(&scenario).expect("a plan");
-    assert!(matches!(plan.bodies[0].path, Path::Rk4 { .. }));
+    assert!(matches!(plan.bodies[0].path, Path::FixedStep { method: FixedStepMethod::Rk4, .. }));
     assert_eq!(plan.grid.len(), 401);
 
     let overrides = ["body.0.angular_velocity=[0, 0.5, 6]".to_owned()];

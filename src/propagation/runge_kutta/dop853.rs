@@ -1,7 +1,7 @@
 use super::dormand_prince::{DENSE_NODES, DENSE_STAGES, DENSE_WEIGHTS, DORMAND_PRINCE_8, ERROR_3, ERROR_5};
-use super::equations::{ATTITUDE, Equations, POSITION, RATES, VELOCITY, Values, normalise};
 use super::tableau::{combine, weighted};
 use crate::dynamics::{Problem, TorqueModel};
+use crate::propagation::equations::{ATTITUDE, Equations, POSITION, RATES, VELOCITY, Values, normalise};
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 

@@ -1,4 +1,4 @@
-use super::equations::{Equations, Values};
+use crate::propagation::equations::{Equations, Values};
 
 /// An explicit Runge–Kutta method as data `[HNW93]` §II.1.
 pub(super) struct Tableau<const STAGES: usize> {

@@ -1,5 +1,6 @@
 use super::rules::{positive, unused};
 use crate::dynamics::Problem;
+use crate::propagation::{Coverage, FixedStepMethod, Information};
 use crate::scenario::{Key, Method, Path, Refusal, Scenario};
 
 /// Per step, where no tolerance is asked for: as tight as f64 carries.
@@ -13,33 +14,67 @@ const SHARE_OF_A_STEP: f64 = 1e-2;
 pub fn choose(scenario: &Scenario, problem: &Problem) -> Result<(Path, String), Refusal> {
     let method_key = Key::root("method");
     let is_free = problem.loads.is_empty();
-    if scenario.method != Method::Rk4 {
-        unused(&Key::root("step_s"), scenario.step_s.as_ref(), "only method = \"rk4\" has a fixed step")?;
+    let fixed_step = fixed_step(scenario.method);
+    if fixed_step.is_none() {
+        unused(
+            &Key::root("step_s"),
+            scenario.step_s.as_ref(),
+            "only methods with a fixed step, such as rk4, take one",
+        )?;
     }
-    if matches!(scenario.method, Method::Rk4 | Method::ClosedForm) {
-        let rule = "a closed form has no tolerance, and rk4 has a fixed step";
+    if fixed_step.is_some() || scenario.method == Method::ClosedForm {
+        let rule = "neither a closed form nor a method with a fixed step has a tolerance";
         unused(&Key::root("tolerance_rad"), scenario.tolerance_rad.as_ref(), rule)?;
+    }
+    if let Some(method) = fixed_step {
+        return with_fixed_step(scenario, is_free, method);
     }
     let tolerance = step_tolerance(scenario)?;
     Ok(match scenario.method {
-        Method::Auto if is_free => {
-            (Path::ClosedForm, "no torque acts, so the motion is known in closed form".to_owned())
-        }
-        Method::Auto => {
-            let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
-            (Path::Taylor { tolerance }, reason.to_owned())
-        }
         Method::ClosedForm if is_free => (Path::ClosedForm, asked("closed_form")),
         Method::ClosedForm => {
             return Err(method_key.refuse("\"closed_form\" needs a body without torques and forces; use \"auto\""));
         }
         Method::Taylor => (Path::Taylor { tolerance }, asked("taylor")),
         Method::Dop853 => (Path::Dop853 { tolerance: tolerance.max(TIGHTEST_DOP853) }, asked("dop853")),
-        Method::Rk4 => {
-            let key = Key::root("step_s");
-            let step = scenario.step_s.ok_or_else(|| key.refuse("missing: method = \"rk4\" needs it"))?;
-            (Path::Rk4 { step: positive(&key, step)? }, asked("rk4"))
+        // Left over: "auto".
+        _ if is_free => (Path::ClosedForm, "no torque acts, so the motion is known in closed form".to_owned()),
+        _ => {
+            let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
+            (Path::Taylor { tolerance }, reason.to_owned())
         }
+    })
+}
+
+fn with_fixed_step(scenario: &Scenario, is_free: bool, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
+    let Information { name, coverage, .. } = method.information();
+    if coverage == Coverage::TorqueFree && !is_free {
+        let rule = format_args!("\"{name}\" needs a body without torques and forces");
+        return Err(Key::root("method").refuse(rule));
+    }
+    let key = Key::root("step_s");
+    let step = scenario.step_s.ok_or_else(|| key.refuse(format_args!("missing: method = \"{name}\" needs it")))?;
+    Ok((Path::FixedStep { method, step: positive(&key, step)? }, asked(name)))
+}
+
+/// The method with a fixed step of that name, if it is one.
+const fn fixed_step(method: Method) -> Option<FixedStepMethod> {
+    Some(match method {
+        Method::Auto | Method::ClosedForm | Method::Taylor | Method::Dop853 => return None,
+        Method::EulerNaive => FixedStepMethod::EulerNaive,
+        Method::EulerSemiImplicit => FixedStepMethod::EulerSemiImplicit,
+        Method::Rk4 => FixedStepMethod::Rk4,
+        Method::Rkmk4 => FixedStepMethod::Rkmk4,
+        Method::Splitting2 => FixedStepMethod::Splitting2,
+        Method::Splitting4 => FixedStepMethod::Splitting4,
+        Method::Splitting6 => FixedStepMethod::Splitting6,
+        Method::Splitting8 => FixedStepMethod::Splitting8,
+        Method::Dmv2 => FixedStepMethod::Dmv2,
+        Method::Dmv4 => FixedStepMethod::Dmv4,
+        Method::Gauss4 => FixedStepMethod::Gauss4,
+        Method::Gauss6 => FixedStepMethod::Gauss6,
+        Method::Kicks2 => FixedStepMethod::Kicks2,
+        Method::Kicks4 => FixedStepMethod::Kicks4,
     })
 }
 
