@@ -96,7 +96,7 @@ pub(super) struct InspectArguments {
 #[derive(Debug, Args)]
 pub(super) struct Overrides {
     /// Propagate by auto, `closed_form`, taylor, dop853, or in fixed steps (`--step`) by `euler_naive`,
-    /// `euler_semi_implicit`, rk4, rkmk4, splitting2 (4, 6, 8), dmv2 (4), gauss4 (6) or kicks2 (4).
+    /// `euler_semi_implicit`, rk4, rkmk4, splitting2 (4, 6, 8), dmv2 (4, 6, 8), gauss4 (6) or kicks2 (4).
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
     /// Attitude error to aim at over the whole run, rad.

@@ -77,6 +77,8 @@ fn evaluations_of_methods_with_a_fixed_step() {
         ("splitting8", 18000),
         ("dmv2", 1000),
         ("dmv4", 1000),
+        ("dmv6", 1000),
+        ("dmv8", 1000),
         ("gauss4", 15322),
         ("gauss6", 21922),
         ("kicks2", 2000),

@@ -95,6 +95,20 @@ fn scenes_run_to_their_last_sample() {
     }
 }
 
+/// The names of the table are those of the scene language.
+#[test]
+fn every_method_with_a_fixed_step_can_be_asked_for() {
+    let text = library::text("dzhanibekov").expect("the scene");
+    for method in FixedStepMethod::ALL {
+        let name = method.information().name;
+        let overrides = [format!("method={name}"), "step_s=0.001".to_owned()];
+        let scenario = Scenario::parse(text, "dzhanibekov", &overrides).expect(name);
+        let body = &Plan::new(&scenario).expect(name).bodies[0];
+        assert_eq!(body.path, Path::FixedStep { method, step: 0.001 });
+        assert!(body.propagator().is_ok(), "{name}");
+    }
+}
+
 #[test]
 fn any_key_can_be_overridden() {
     let text = library::text("dzhanibekov").expect("the scene");

@@ -18,8 +18,8 @@ pub(super) trait Free: Send {
 
 /// Free motion between kicks: half the loads' impulse before it and half after, composed to a higher order.
 ///
-/// The kick is the exact flow of ω̇ = I⁻¹ (τ − c ω), v̇ = a at a fixed attitude; explicit time goes with the free motion.
-/// A step of order 2 and its compositions are symmetric, and symplectic where the loads have a potential.
+/// The kick is the exact flow of ω̇ = I⁻¹ (τ − c ω), v̇ = a at a fixed attitude; explicit time goes with the free
+/// motion. A step of order 2 and its compositions are symmetric, and symplectic where the loads have a potential.
 pub(super) struct Kicked<F> {
     free: F,
     composition: &'static [f64],

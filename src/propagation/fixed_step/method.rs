@@ -5,8 +5,9 @@ use super::euler_semi_implicit::EulerSemiImplicit;
 use super::free_flow::FreeFlow;
 use super::gauss::{GAUSS_2_STAGES, GAUSS_3_STAGES, Gauss};
 use super::kicked::Kicked;
-use super::moser_veselov::{MoserVeselov, Preprocessing};
+use super::moser_veselov::MoserVeselov;
 use super::planar_rotations::PlanarRotations;
+use super::preprocessing::CORRECTIONS;
 use super::rkmk4::Rkmk4;
 use crate::dynamics::Problem;
 use crate::propagation::runge_kutta::ClassicRk4;
@@ -34,6 +35,10 @@ pub enum FixedStepMethod {
     Dmv2,
     /// The same with moments of inertia preprocessed for order 4.
     Dmv4,
+    /// The same for order 6.
+    Dmv6,
+    /// The same for order 8.
+    Dmv8,
     /// Gauss collocation, two stages.
     Gauss4,
     /// Gauss collocation, three stages.
@@ -74,7 +79,7 @@ pub enum Coverage {
 
 impl FixedStepMethod {
     /// All of them, from what everybody tries first to what is made for the purpose.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
         Self::EulerNaive,
         Self::EulerSemiImplicit,
         Self::Rk4,
@@ -85,6 +90,8 @@ impl FixedStepMethod {
         Self::Splitting8,
         Self::Dmv2,
         Self::Dmv4,
+        Self::Dmv6,
+        Self::Dmv8,
         Self::Gauss4,
         Self::Gauss6,
         Self::Kicks2,
@@ -108,6 +115,8 @@ impl FixedStepMethod {
             Self::Splitting8 => ("splitting8", "splitting 8", 8, true, ListedLoads, "McLachlan93, Reich94, KL97"),
             Self::Dmv2 => ("dmv2", "discrete Moser–Veselov 2", 2, true, TorqueFree, "MV91"),
             Self::Dmv4 => ("dmv4", "discrete Moser–Veselov 4", 4, true, TorqueFree, "HV06"),
+            Self::Dmv6 => ("dmv6", "discrete Moser–Veselov 6", 6, true, TorqueFree, "HV06"),
+            Self::Dmv8 => ("dmv8", "discrete Moser–Veselov 8", 8, true, TorqueFree, "HV06"),
             Self::Gauss4 => ("gauss4", "Gauss 4", 4, true, Everything, "HLW06 §II.1.3, §VIII.6"),
             Self::Gauss6 => ("gauss6", "Gauss 6", 6, true, Everything, "HLW06 §II.1.3, §VIII.6"),
             Self::Kicks2 => ("kicks2", "kicks 2", 2, true, ListedLoads, "CFSZ08"),
@@ -119,6 +128,7 @@ impl FixedStepMethod {
     /// The method, ready to step.
     pub(super) fn scheme(self, problem: &Problem) -> Box<dyn Scheme> {
         let splitting = |composition| Box::new(Kicked::new(PlanarRotations::new(problem), composition));
+        let moser_veselov = |corrections| Box::new(MoserVeselov::new(problem, &CORRECTIONS[..corrections]));
         let kicks = |composition| Box::new(Kicked::new(FreeFlow::new(problem), composition));
         match self {
             Self::EulerNaive => Box::new(EulerNaive),
@@ -129,8 +139,10 @@ impl FixedStepMethod {
             Self::Splitting4 => splitting(&SUZUKI_4),
             Self::Splitting6 => splitting(&KAHAN_LI_6),
             Self::Splitting8 => splitting(&KAHAN_LI_8),
-            Self::Dmv2 => Box::new(MoserVeselov::new(problem, Preprocessing::Order2)),
-            Self::Dmv4 => Box::new(MoserVeselov::new(problem, Preprocessing::Order4)),
+            Self::Dmv2 => moser_veselov(0),
+            Self::Dmv4 => moser_veselov(1),
+            Self::Dmv6 => moser_veselov(2),
+            Self::Dmv8 => moser_veselov(3),
             Self::Gauss4 => Box::new(Gauss::new(&GAUSS_2_STAGES)),
             Self::Gauss6 => Box::new(Gauss::new(&GAUSS_3_STAGES)),
             Self::Kicks2 => kicks(STRANG),

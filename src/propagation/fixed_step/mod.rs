@@ -14,6 +14,7 @@ mod kicked;
 mod method;
 mod moser_veselov;
 mod planar_rotations;
+mod preprocessing;
 mod propagator;
 mod rkmk4;
 mod scheme;

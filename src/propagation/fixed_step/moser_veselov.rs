@@ -1,6 +1,7 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::Scheme;
+use super::preprocessing::{Correction, Term};
 use crate::body::{AngularVelocity, Attitude, State};
 use crate::dynamics::Problem;
 use crate::propagation::PropagationError;
@@ -12,42 +13,49 @@ use crate::propagation::equations::{Equations, Values, state, values_of};
 /// stays: the discrete motion lies on the true polhode, and preprocessing mends the time at which it is where.
 pub(super) struct MoserVeselov {
     moments: Vector3<f64>,
-    preprocessing: Preprocessing,
-}
-
-/// Up to which order the moments of inertia are preprocessed.
-pub(super) enum Preprocessing {
-    /// Not at all: Ĩ = I.
-    Order2,
-    /// By the terms in h².
-    Order4,
+    corrections: &'static [Correction],
+    /// h and its Ĩ: energy and momentum stay, so Ĩ does for as long as h does.
+    preprocessed: Option<(f64, Vector3<f64>)>,
 }
 
 impl MoserVeselov {
     /// The iteration gains about a factor h |ω| each time.
     const MOST_ITERATIONS: usize = 100;
+    /// A change of p of this size that shrinks no more is rounding.
+    const ROUNDING: f64 = 1e-14;
 
-    pub fn new(problem: &Problem, preprocessing: Preprocessing) -> Self {
-        Self { moments: problem.moments.vector(), preprocessing }
+    /// Each correction raises the order by two.
+    pub fn new(problem: &Problem, corrections: &'static [Correction]) -> Self {
+        Self { moments: problem.moments.vector(), corrections, preprocessed: None }
     }
 
-    /// Ĩ, of the same energy and momentum: 1/Ĩⱼ = (1 + h² s₃)/Iⱼ + h² d₃ [HV06].
-    fn preprocessed(&self, step: f64, momentum: &Vector3<f64>) -> Vector3<f64> {
-        match self.preprocessing {
-            Preprocessing::Order2 => self.moments,
-            Preprocessing::Order4 => {
-                let inertia = self.moments;
-                let half_square = 0.5 * momentum.norm_squared();
-                let energy = 0.5 * momentum.dot(&momentum.component_div(&inertia));
-                let product = inertia.product();
-                let inverses = inertia.map(|moment| 1.0 / moment);
-                let s3 = inertia.sum() / (6.0 * product) * half_square - inverses.sum() / 3.0 * energy;
-                let d3 = inertia.sum() / (6.0 * product) * energy - half_square / (3.0 * product);
-                let square = step * step;
-                inverses.map(|inverse| 1.0 / (inverse * (1.0 + square * s3) + square * d3))
-            }
+    /// Ĩ: 1/Ĩⱼ = (1 + h² s₃ + …)/Iⱼ + h² d₃ + ….
+    fn preprocess(&self, step: f64, momentum: &Vector3<f64>) -> Vector3<f64> {
+        let inverses = self.moments.map(|moment| 1.0 / moment);
+        let quantities = [
+            0.5 * momentum.dot(&momentum.component_mul(&inverses)),
+            0.5 * momentum.norm_squared(),
+            inverses.sum(),
+            inverses.x * inverses.y + inverses.y * inverses.z + inverses.z * inverses.x,
+            inverses.product(),
+        ];
+        let (mut factor, mut shift, mut power) = (1.0, 0.0, 1.0);
+        for correction in self.corrections {
+            power *= step * step;
+            factor += power * sum(correction.factor, &quantities);
+            shift += power * sum(correction.shift, &quantities);
         }
+        inverses.map(|inverse| 1.0 / (factor * inverse + shift))
     }
+}
+
+/// The value of a polynomial.
+fn sum(terms: &[Term], quantities: &[f64; 5]) -> f64 {
+    let value = |(numerator, denominator, powers): &Term| {
+        let factors = quantities.iter().zip(powers).flat_map(|(quantity, power)| std::iter::repeat_n(quantity, *power));
+        numerator / denominator * factors.product::<f64>()
+    };
+    terms.iter().map(value).sum()
 }
 
 impl Scheme for MoserVeselov {
@@ -61,7 +69,11 @@ impl Scheme for MoserVeselov {
         let push = equations.push(time, values);
         let State { attitude, angular_velocity, position, velocity } = state(values);
         let momentum = angular_velocity.in_body().component_mul(&self.moments);
-        let inertia = self.preprocessed(step, &momentum);
+        let inertia = match self.preprocessed {
+            Some((same, inertia)) if same == step => inertia,
+            _ => self.preprocess(step, &momentum),
+        };
+        self.preprocessed = Some((step, inertia));
         let turn = turn(&inertia, &(0.5 * step * momentum)).ok_or(PropagationError::NoConvergence { time, step })?;
         let momentum = turn.inverse_transform_vector(&momentum);
         let attitude = UnitQuaternion::new_normalize((attitude.world_from_body() * turn).into_inner());
@@ -93,5 +105,5 @@ fn turn(inertia: &Vector3<f64>, half: &Vector3<f64>) -> Option<UnitQuaternion<f6
         last_change = change;
     }
     let real = (1.0 - p.norm_squared()).sqrt();
-    (last_change < 1e-14).then(|| UnitQuaternion::new_unchecked(Quaternion::from_parts(real, p)))
+    (last_change < MoserVeselov::ROUNDING).then(|| UnitQuaternion::new_unchecked(Quaternion::from_parts(real, p)))
 }

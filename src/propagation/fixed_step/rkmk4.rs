@@ -6,7 +6,7 @@ use crate::numerics::so3;
 use crate::propagation::PropagationError;
 use crate::propagation::equations::{Equations, Values, state, values_of};
 
-/// The classical Runge–Kutta method on the group of rotations, [`MuntheKaas99`]: q(t) = q(t₀) exp σ(t), and σ is stepped.
+/// The classical Runge–Kutta method on the group of rotations, [`MuntheKaas99`]: σ is stepped in q(t) = q(t₀) exp σ(t).
 ///
 /// With ω in the body, σ̇ = ω + ½ σ × ω + 1/12 σ × (σ × ω) + O(σ⁴), as far as order 4 asks. q stays of unit length.
 pub(super) struct Rkmk4;

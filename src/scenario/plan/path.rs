@@ -71,6 +71,8 @@ const fn fixed_step(method: Method) -> Option<FixedStepMethod> {
         Method::Splitting8 => FixedStepMethod::Splitting8,
         Method::Dmv2 => FixedStepMethod::Dmv2,
         Method::Dmv4 => FixedStepMethod::Dmv4,
+        Method::Dmv6 => FixedStepMethod::Dmv6,
+        Method::Dmv8 => FixedStepMethod::Dmv8,
         Method::Gauss4 => FixedStepMethod::Gauss4,
         Method::Gauss6 => FixedStepMethod::Gauss6,
         Method::Kicks2 => FixedStepMethod::Kicks2,

@@ -80,6 +80,10 @@ pub enum Method {
     Dmv2,
     /// The same, order 4; torque-free.
     Dmv4,
+    /// The same, order 6; torque-free.
+    Dmv6,
+    /// The same, order 8; torque-free.
+    Dmv8,
     /// Gauss collocation, order 4.
     Gauss4,
     /// The same, order 6.
