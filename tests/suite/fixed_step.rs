@@ -14,6 +14,8 @@ const ORDER_LIMIT: f64 = 0.2;
 const MOMENTUM_LIMIT: f64 = 4e-12;
 /// What Gauss changes of |L| and the energy in as many steps: its roundings are carried on.
 const COMPENSATED_LIMIT: f64 = 4e-15;
+/// How far |q| may be from 1.
+const UNIT_LIMIT: f64 = 2e-15;
 /// A heavy top held at its reference point: conservative and the same backwards.
 const WEIGHT: Torque = Torque::ForceWorld { force: Vector3::new(0.0, 0.0, -2.0), arm: Vector3::new(0.1, -0.2, 0.3) };
 
@@ -179,6 +181,10 @@ fn free_bodies_keep_momentum_and_energy() {
     let times = grid(2000.0, 4000);
     for method in enduring() {
         let states = stepped(&problem, method, 0.1, &times);
+        for i in 0..states.len() {
+            let length = row(&states.attitude, i).map(|component| component * component).iter().sum::<f64>().sqrt();
+            assert!((length - 1.0).abs() < UNIT_LIMIT, "{method:?}: |q| = {length}");
+        }
         let momenta = (0..states.len()).map(|i| momentum_in_world(problem.moments, &state(&states, i)));
         let sizes: Vec<f64> = momenta.clone().map(|momentum| momentum.norm()).collect();
         let start = momentum_in_world(problem.moments, &problem.initial);
