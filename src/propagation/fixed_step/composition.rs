@@ -3,7 +3,7 @@
 /// The method of order 2 itself.
 pub(super) const STRANG: &[f64] = &[1.0];
 
-/// γ = 1/(4 − ∛4), 1 − 4γ: the fractal of order 4, [Suzuki90]; [HLW06] (II.4.5).
+/// γ = 1/(4 − ∛4), 1 − 4γ: the fractal of order 4, `[Suzuki90]`; `[HLW06]` (II.4.5).
 pub(super) const SUZUKI_4: [f64; 5] = [
     0.414_490_771_794_375_7,
     0.414_490_771_794_375_7,
@@ -12,7 +12,7 @@ pub(super) const SUZUKI_4: [f64; 5] = [
     0.414_490_771_794_375_7,
 ];
 
-/// Order 6 in nine stages, [KL97] `s9odr6a`; [HLW06] (V.3.12).
+/// Order 6 in nine stages, `[KL97]` `s9odr6a`; `[HLW06]` (V.3.12).
 pub(super) const KAHAN_LI_6: [f64; 9] = [
     0.392_161_444_007_314_1,
     0.332_599_136_789_359_43,
@@ -25,7 +25,7 @@ pub(super) const KAHAN_LI_6: [f64; 9] = [
     0.392_161_444_007_314_1,
 ];
 
-/// Order 8 in seventeen stages, [KL97] `s17odr8a`; [HLW06] (V.3.13).
+/// Order 8 in seventeen stages, `[KL97]` `s17odr8a`; `[HLW06]` (V.3.13).
 pub(super) const KAHAN_LI_8: [f64; 17] = [
     0.130_202_483_088_890_07,
     0.561_162_981_775_108_4,

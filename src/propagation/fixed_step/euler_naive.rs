@@ -6,7 +6,7 @@ use crate::numerics::so3::cross_product_matrix;
 use crate::propagation::PropagationError;
 use crate::propagation::equations::{Equations, Values, state, values_of};
 
-/// What lecture notes do first, [Baraff97]: R + h Ṙ, ω + h ω̇, and R made a rotation again. It gains energy.
+/// What lecture notes do first, `[Baraff97]`: R + h Ṙ, ω + h ω̇, and R made a rotation again. It gains energy.
 pub(super) struct EulerNaive;
 
 impl Scheme for EulerNaive {

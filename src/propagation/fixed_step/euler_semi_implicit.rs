@@ -6,7 +6,7 @@ use crate::propagation::equations::{Equations, Values, state, values_of};
 
 /// As physics engines step: rates from the old attitude and rates, then attitude and position by the new rates.
 ///
-/// "Symplectic Euler" [HLW06] §I.1.2 for the translation. Of the rotation it is not: the gyroscopic term is explicit.
+/// "Symplectic Euler" `[HLW06]` §I.1.2 for the translation. Of the rotation it is not: the gyroscopic term is explicit.
 pub(super) struct EulerSemiImplicit;
 
 impl Scheme for EulerSemiImplicit {

@@ -5,7 +5,7 @@ use crate::body::{AngularVelocity, Attitude};
 use crate::dynamics::Problem;
 use crate::propagation::{FreeRotation, PropagationError, Propagator, States};
 
-/// The free motion in closed form, [CFSZ08]: the step is set by the loads alone, not by how fast the body spins.
+/// The free motion in closed form, `[CFSZ08]`: the step is set by the loads alone, not by how fast the body spins.
 pub(super) struct FreeFlow {
     /// The body without loads; its first state is set for each piece.
     problem: Problem,

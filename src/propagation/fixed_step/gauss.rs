@@ -3,7 +3,7 @@ use crate::numerics::two_sum;
 use crate::propagation::PropagationError;
 use crate::propagation::equations::{Equations, Values};
 
-/// Gauss collocation on (ω, q, x, v), its stages by fixed-point iteration, [HLW06] §II.1.3 and §VIII.6.
+/// Gauss collocation on (ω, q, x, v), its stages by fixed-point iteration, `[HLW06]` §II.1.3 and §VIII.6.
 ///
 /// Every quadratic invariant is kept: |q|, and of a free body |L| and the energy. What rounding takes off the sums is
 /// carried on to the next step, so that it does not drift.
@@ -20,14 +20,14 @@ pub(super) struct Collocation {
     weights: &'static [f64],
 }
 
-/// Order 4: [HLW06] Table II.1.1.
+/// Order 4: `[HLW06]` Table II.1.1.
 pub(super) const GAUSS_2_STAGES: Collocation = Collocation {
     nodes: &[0.211_324_865_405_187_1, 0.788_675_134_594_812_9],
     stages: &[&[0.25, -0.038_675_134_594_812_88], &[0.538_675_134_594_812_9, 0.25]],
     weights: &[0.5, 0.5],
 };
 
-/// Order 6: [HLW06] Table II.1.1.
+/// Order 6: `[HLW06]` Table II.1.1.
 pub(super) const GAUSS_3_STAGES: Collocation = Collocation {
     nodes: &[0.112_701_665_379_258_31, 0.5, 0.887_298_334_620_741_7],
     stages: &[

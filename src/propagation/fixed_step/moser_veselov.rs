@@ -7,7 +7,7 @@ use crate::dynamics::Problem;
 use crate::propagation::PropagationError;
 use crate::propagation::equations::{Equations, Values, state, values_of};
 
-/// The discrete Moser–Veselov equations of a free body, [MV91], with preprocessed moments of inertia, [HV06].
+/// The discrete Moser–Veselov equations of a free body, `[MV91]`, with preprocessed moments of inertia, `[HV06]`.
 ///
 /// A step turns the body by the quaternion (p₀, p) with 2 (p₀ Ĩ p + p × Ĩ p) = h L. L stays in the world and the energy
 /// stays: the discrete motion lies on the true polhode, and preprocessing mends the time at which it is where.

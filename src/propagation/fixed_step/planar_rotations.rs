@@ -6,7 +6,7 @@ use crate::propagation::PropagationError;
 
 /// The kinetic energy in three parts, each of which only turns the body about one principal axis.
 ///
-/// [`McLachlan93`], [Reich94]: under ½ L₁²/I₁ alone the body turns about axis 1 at the constant rate L₁/I₁. One after
+/// [`McLachlan93`], `[Reich94]`: under ½ L₁²/I₁ alone the body turns about axis 1 at the constant rate L₁/I₁. One after
 /// the other, 1 2 3 2 1 with halves outside, is symmetric and of order 2. Each part only rotates L in the body, so |L|
 /// stays, and L in the world.
 pub(super) struct PlanarRotations {

@@ -1,6 +1,6 @@
 //! Preprocessing of the discrete Moser–Veselov equations: by which moments of inertia they give the true motion.
 //!
-//! [HV06] shows that there are scalars s and d of the energy and the momentum with which
+//! `[HV06]` shows that there are scalars s and d of the energy and the momentum with which
 //! 1/Ĩⱼ = (1 + h² s₃ + h⁴ s₅ + …)/Iⱼ + h² d₃ + h⁴ d₅ + … makes a step exact, however far the series is taken. The terms
 //! below were found from that: put the exact p(h) into 2 (p₀ Ĩ p + p × Ĩ p) = h L; at each even power of h three
 //! equations agree on two scalars, and these are polynomials in H, C and the symmetric functions of 1/Iⱼ. The measured
