@@ -1,6 +1,7 @@
 use super::{CheckPlan, Grid, Provenance};
 use crate::body::{MassProperties, Surface};
 use crate::dynamics::Problem;
+use crate::propagation::FixedStepMethod;
 use crate::telemetry::Channel;
 
 /// What will be done: every value checked, in SI units and principal axes, the path of each body chosen.
@@ -69,9 +70,11 @@ pub enum Path {
         /// Per step, rad.
         tolerance: f64,
     },
-    /// The classical Runge–Kutta method.
-    Rk4 {
-        /// s.
+    /// A method with a fixed step.
+    FixedStep {
+        /// Which.
+        method: FixedStepMethod,
+        /// The longest step, s.
         step: f64,
     },
     /// Dormand–Prince of order 8.
@@ -91,7 +94,7 @@ impl Path {
             Self::MomentumBrake => "closed form under a brake",
             Self::AxialTorque => "closed form of an axial torque",
             Self::Taylor { .. } => "Taylor",
-            Self::Rk4 { .. } => "RK4",
+            Self::FixedStep { method, .. } => method.information().title,
             Self::Dop853 { .. } => "DOP853",
         }
     }

@@ -1,7 +1,7 @@
 use super::{Path, Plan, PlannedBody, ScenarioError};
 use crate::propagation::{
-    AxialTorque, BrakedRotation, Dop853, Effort, FreeRotation, LagrangeTop, PropagationError, Propagator, Rk4, States,
-    Taylor,
+    AxialTorque, BrakedRotation, Dop853, Effort, FixedStep, FreeRotation, LagrangeTop, PropagationError, Propagator,
+    States, Taylor,
 };
 use crate::telemetry::{BodySamples, Derivation, Samples};
 
@@ -49,7 +49,7 @@ impl PlannedBody {
             Path::MomentumBrake => Box::new(BrakedRotation::new(&self.problem)?),
             Path::AxialTorque => Box::new(AxialTorque::new(&self.problem)?),
             Path::Taylor { tolerance } => Box::new(Taylor::new(&self.problem, tolerance)?),
-            Path::Rk4 { step } => Box::new(Rk4::new(&self.problem, step)?),
+            Path::FixedStep { method, step } => Box::new(FixedStep::new(&self.problem, method, step)?),
             Path::Dop853 { tolerance } => Box::new(Dop853::new(&self.problem, tolerance)?),
         })
     }

@@ -9,6 +9,7 @@ mod csv_format;
 mod effort;
 mod equivalence;
 mod faults;
+mod fixed_step;
 mod floors;
 mod forced_oracle;
 mod free_laws;

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path as FilePath;
 
+use polhode::propagation::FixedStepMethod;
 use polhode::scenario::{Path, Plan, Scenario, library};
 
 /// More than this takes long to record and to load.
@@ -110,6 +111,20 @@ fn scenes_run_to_their_last_sample() {
     }
 }
 
+/// The names of the table are those of the scene language.
+#[test]
+fn every_method_with_a_fixed_step_can_be_asked_for() {
+    let text = library::text("dzhanibekov").expect("the scene");
+    for method in FixedStepMethod::ALL {
+        let name = method.information().name;
+        let overrides = [format!("method={name}"), "step_s=0.001".to_owned()];
+        let scenario = Scenario::parse(text, "dzhanibekov", &overrides).expect(name);
+        let body = &Plan::new(&scenario).expect(name).bodies[0];
+        assert_eq!(body.path, Path::FixedStep { method, step: 0.001 });
+        assert!(body.propagator().is_ok(), "{name}");
+    }
+}
+
 #[test]
 fn any_key_can_be_overridden() {
     let text = library::text("dzhanibekov").expect("the scene");
@@ -119,7 +134,7 @@ fn any_key_can_be_overridden() {
     assert_eq!(scenario.duration_s, Some(2.0));
     assert_eq!(scenario.body[0].angular_velocity_rad_s, Some([0.0, 0.5, 6.0]));
     let plan = Plan::new(&scenario).expect("a plan");
-    assert!(matches!(plan.bodies[0].path, Path::Rk4 { .. }));
+    assert!(matches!(plan.bodies[0].path, Path::FixedStep { method: FixedStepMethod::Rk4, .. }));
     assert_eq!(plan.grid.len(), 401);
 
     let overrides = ["body.0.angular_velocity=[0, 0.5, 6]".to_owned()];
