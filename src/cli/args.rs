@@ -8,7 +8,8 @@ Examples:
   polhode run dzhanibekov                         recordings/dzhanibekov.mcap and .rrd
   polhode run --all --out /tmp/all --force        every scene
   polhode run my_scene.toml --format csv          a scene of your own, as a table
-  polhode run dzhanibekov --duration 30 --set body.0.angular_momentum_n_m_s='[0, 2, 0.1]'
+  polhode run dzhanibekov --duration 90 --sample-every 0.001
+  polhode run my_scene.toml --set 'body.0.angular_velocity_rad_s=[0, 6, 0.1]'
   polhode run lagrange_top --certify              with its measured error, printed and recorded
   polhode plan lagrange_top                       which method, why, and what is skipped
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
@@ -99,7 +100,8 @@ pub(super) struct InspectArguments {
 /// Keys of the scene to change for this run.
 #[derive(Debug, Args)]
 pub(super) struct Overrides {
-    /// Propagate by auto, `closed_form`, taylor, rk4 or dop853.
+    /// Propagate by auto, `closed_form`, taylor, dop853, or in fixed steps (`--step`) by `euler_naive`,
+    /// `euler_semi_implicit`, rk4, rkmk4, splitting2 (4, 6, 8), dmv2 (4, 6, 8), gauss4 (6) or kicks2 (4).
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
     /// Attitude error to keep over the whole run, rad; `--certify` holds the run to it.

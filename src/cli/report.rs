@@ -53,9 +53,10 @@ impl Report {
             }
         }
         table.row(["samples".to_owned(), sampling(&self.plan.grid)]);
+        let width = self.files.iter().map(|file| shown(&file.path).chars().count()).max().unwrap_or(0);
         for (index, file) in self.files.iter().enumerate() {
             let label = if index == 0 { "files" } else { "" };
-            table.row([label.to_owned(), format!("{}  {}", shown(&file.path), size(file.bytes))]);
+            table.row([label.to_owned(), format!("{:width$}  {}", shown(&file.path), size(file.bytes))]);
         }
         table.row(["wall time".to_owned(), self.time()]);
         let text = format!("{}: {}\n{}", self.plan.name, self.plan.title, table.render("  "));

@@ -13,5 +13,5 @@ pub use compensated::Compensated;
 pub use convolution::convolution;
 pub use double_double::{DoubleDouble, two_prod, two_sum};
 pub use elliptic::{carlson_rf, complete_k};
-pub use theta::{FlipSum, NomeSeries, Theta, ThetaPair};
+pub use theta::{FlipSum, NomeSeries, ShiftedFlips, ShiftedPair, ShiftedSeries, Theta, ThetaPair, TwoShifts};
 pub use turn::{Phase, Turn};

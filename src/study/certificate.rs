@@ -124,7 +124,7 @@ fn compare(
     let last = exact.last().map_or(0, |(index, _)| *index);
     let indices: Vec<u64> = match body.path {
         // Its steps end on every sample, so that it has to see them all to make the same ones.
-        Path::Rk4 { .. } => (0..=last).collect(),
+        Path::FixedStep { .. } => (0..=last).collect(),
         _ => exact.iter().map(|(index, _)| *index).collect(),
     };
     let mut path = body.propagator()?;

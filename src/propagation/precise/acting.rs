@@ -14,7 +14,7 @@ pub(super) struct Acting {
     pub moment: Vector,
     /// I⁻¹ A for each world axis: what its image in the body contributes to ω̇, by rows.
     pub couples: [[Vector; 3]; 3],
-    /// c / I.
+    /// c / I, and the rate of brakes along L.
     pub damping: Vector,
     /// What r₂r₃ and cyclic contribute to ω̇; n.
     pub gradient: Option<(Vector, f64)>,
@@ -45,7 +45,7 @@ impl Acting {
             needs_matrix: false,
         };
         for load in problem.loads.iter().filter(|load| load.window.contains(time)) {
-            sum.add(&load.torque);
+            sum.add(&load.torque, &inertia);
         }
         let mass = DoubleDouble::from(problem.mass.unwrap_or(1.0));
         let wanted = |force: Vector| if problem.wants_translation { force.map(|f| f / mass) } else { ZERO };
@@ -67,10 +67,15 @@ impl Acting {
     }
 
     /// Moments and forces, not yet divided by moments of inertia and mass.
-    fn add(&mut self, torque: &Torque) {
+    fn add(&mut self, torque: &Torque, inertia: &Vector) {
         match *torque {
             Torque::ConstantBody { moment } => add(&mut self.moment, moment),
             Torque::LinearDamping { coefficient } => add(&mut self.damping, Vector3::repeat(coefficient)),
+            Torque::MomentumBrake { rate } => {
+                for i in 0..3 {
+                    self.damping[i] += inertia[i] * DoubleDouble::from(rate);
+                }
+            }
             Torque::ForceBody { force, arm } => {
                 for i in 0..3 {
                     let (j, k) = ((i + 1) % 3, (i + 2) % 3);

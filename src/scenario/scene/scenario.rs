@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use super::{BodySpec, Checks};
 
-/// What was asked. [`super::Plan::new`] checks it.
+/// What was asked. [`Plan::new`](crate::scenario::Plan::new) checks it.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
 pub struct Scenario {
@@ -54,14 +54,44 @@ pub enum Method {
     /// The best there is for each body.
     #[default]
     Auto,
-    /// The torque-free closed form.
+    /// The closed form of the motion, where one is known.
     ClosedForm,
     /// Taylor series of the equations of motion, with dense output.
     Taylor,
-    /// The classical Runge–Kutta method with fixed step.
-    Rk4,
     /// Dormand and Prince's Runge–Kutta method of order 8.
     Dop853,
+    /// Explicit Euler on the rotation matrix; the first of the methods with a fixed step.
+    EulerNaive,
+    /// Semi-implicit Euler, as physics engines step.
+    EulerSemiImplicit,
+    /// The classical Runge–Kutta method.
+    Rk4,
+    /// Runge–Kutta on the group of rotations.
+    Rkmk4,
+    /// Splitting into planar rotations, order 2.
+    Splitting2,
+    /// The same, order 4.
+    Splitting4,
+    /// The same, order 6.
+    Splitting6,
+    /// The same, order 8.
+    Splitting8,
+    /// Discrete Moser–Veselov equations, order 2; torque-free.
+    Dmv2,
+    /// The same, order 4; torque-free.
+    Dmv4,
+    /// The same, order 6; torque-free.
+    Dmv6,
+    /// The same, order 8; torque-free.
+    Dmv8,
+    /// Gauss collocation, order 4.
+    Gauss4,
+    /// The same, order 6.
+    Gauss6,
+    /// Exact free motion between kicks, order 2.
+    Kicks2,
+    /// The same, order 4.
+    Kicks4,
 }
 
 /// Where a scene's numbers come from.
