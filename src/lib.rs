@@ -45,7 +45,7 @@
 //! * [`telemetry`]: named channels with unit and frame, as columns.
 //! * [`scenario`]: what was asked, what will be done, what is happening, and what it must show.
 //! * [`recording`]: columns to `.mcap`, `.rrd` and `.csv`, whole or not at all.
-//! * [`study`]: what each method costs for how much accuracy.
+//! * [`study`]: how good a run is, and what each method costs for how much accuracy.
 //!
 //! # Features
 //!

@@ -95,16 +95,6 @@ pub enum BodyError {
         /// Largest moment, kg m².
         largest: f64,
     },
-    /// As many vectors are needed as there are particles.
-    #[error("{given} {quantity} for {particles} particles: there must be one for each")]
-    CountMismatch {
-        /// What was given.
-        quantity: &'static str,
-        /// How many.
-        given: usize,
-        /// How many particles.
-        particles: usize,
-    },
     /// A spring holds a particle that is not there, or both its ends are in one place.
     #[error("spring {index} joins particles {ends:?} of {particles}: they must exist and lie apart")]
     Spring {

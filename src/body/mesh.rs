@@ -22,7 +22,7 @@ impl TriangleMesh {
     /// The mass properties of the enclosed volume at this density in kg/m³, about its centre of mass.
     ///
     /// The integrals of 1, r and r rᵀ are exact for a polyhedron: each triangle adds the tetrahedron that it spans with
-    /// one point, signed (\[Mirtich96\] by way of \[BB04\]). That point is the mean of the vertices, and in a second
+    /// one point, signed (`[Mirtich96]` by way of `[BB04]`). That point is the mean of the vertices, and in a second
     /// pass the centre of volume, so that a body far from its origin loses no digits.
     ///
     /// # Errors

@@ -14,7 +14,7 @@ const MOST_SWEEPS: usize = 32;
 /// The principal moments of a symmetric finite `tensor`, and the right-handed rotation `body_from_principal`.
 ///
 /// Jacobi's method keeps small moments of graded tensors to their own last digits where QR would keep them to those of
-/// the largest ([DV92]). A tensor diagonal to rounding gives the identity exactly and keeps the order of its axes;
+/// the largest (`[DV92]`). A tensor diagonal to rounding gives the identity exactly and keeps the order of its axes;
 /// otherwise axes are ordered, signed and (in a plane of equal moments) turned so that the rotation is smallest.
 pub(super) fn principal_axes(tensor: &Matrix3<f64>) -> (Vector3<f64>, UnitQuaternion<f64>) {
     let largest = tensor.amax();

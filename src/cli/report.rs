@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::table::{Table, grouped};
 use crate::propagation::Effort;
 use crate::recording::Finished;
-use crate::scenario::{CheckOutcome, Grid, Plan};
+use crate::scenario::{Certificate, CheckOutcome, Grid, Plan};
 
 /// What came of running one scene.
 pub struct Report {
@@ -19,7 +19,25 @@ pub struct Report {
 
 impl Report {
     pub fn passed(&self) -> bool {
-        self.checks.iter().all(|check| check.passed)
+        self.checks.iter().all(|check| check.passed) && self.missed_tolerances().is_empty()
+    }
+
+    /// Each certified body that does not keep the tolerance asked for, in words.
+    pub fn missed_tolerances(&self) -> Vec<String> {
+        let Some(tolerance) = self.plan.tolerance_rad else { return Vec::new() };
+        let certified = self.plan.bodies.iter().filter_map(|body| Some((&body.name, body.certificate.as_ref()?)));
+        let missed = certified.filter(|(_, certificate)| !certificate.keeps(tolerance));
+        missed
+            .map(|(name, certificate)| {
+                let error = certificate.attitude_rad.unwrap_or_default();
+                let reach = plain(certificate.covered_to_s);
+                if error > tolerance {
+                    format!("tolerance missed: {name} is {error:.1e} rad off, tolerance_rad = {tolerance:e}")
+                } else {
+                    format!("tolerance not certified: {name} could be measured to t = {reach} s only")
+                }
+            })
+            .collect()
     }
 
     /// An aligned summary.
@@ -28,10 +46,17 @@ impl Report {
         for body in &self.plan.bodies {
             table.row([body.name.clone(), format!("{}: {}", body.path.name(), body.reason)]);
         }
+        for body in &self.plan.bodies {
+            if let Some(certificate) = &body.certificate {
+                let name = if self.plan.bodies.len() > 1 { format!("{}: ", body.name) } else { String::new() };
+                table.row(["certified".to_owned(), format!("{name}{}", in_words(certificate))]);
+            }
+        }
         table.row(["samples".to_owned(), sampling(&self.plan.grid)]);
+        let width = self.files.iter().map(|file| shown(&file.path).chars().count()).max().unwrap_or(0);
         for (index, file) in self.files.iter().enumerate() {
             let label = if index == 0 { "files" } else { "" };
-            table.row([label.to_owned(), format!("{}  {}", shown(&file.path), size(file.bytes))]);
+            table.row([label.to_owned(), format!("{:width$}  {}", shown(&file.path), size(file.bytes))]);
         }
         table.row(["wall time".to_owned(), self.time()]);
         let text = format!("{}: {}\n{}", self.plan.name, self.plan.title, table.render("  "));
@@ -75,7 +100,12 @@ impl Report {
         let bodies: Vec<_> = plan
             .bodies
             .iter()
-            .map(|body| json!({ "name": body.name, "path": body.path.name(), "reason": body.reason }))
+            .map(|body| {
+                let certificate = body.certificate.as_ref().map(certificate_as_json);
+                json!({
+                    "name": body.name, "path": body.path.name(), "reason": body.reason, "certificate": certificate,
+                })
+            })
             .collect();
         let files: Vec<_> =
             self.files.iter().map(|file| json!({ "path": shown(&file.path), "bytes": file.bytes })).collect();
@@ -100,10 +130,43 @@ impl Report {
             "evaluations": self.effort.evaluations,
             "steps": self.effort.steps,
             "rejections": self.effort.rejections,
+            "tolerance_rad": plan.tolerance_rad,
             "checks": self.checks.iter().map(check).collect::<Vec<_>>(),
             "passed": self.passed(),
         })
     }
+}
+
+/// The errors, where they are worst, and by what they were measured.
+fn in_words(certificate: &Certificate) -> String {
+    let Certificate { samples, reference, .. } = certificate;
+    let figures = [
+        certificate.attitude_rad.map(|error| format!("attitude {error:.1e} rad")),
+        Some(format!("ω {:.1e}", certificate.angular_velocity_relative)),
+        certificate.angular_momentum_relative.map(|error| format!("L {error:.1e}")),
+        certificate.position_m.map(|error| format!("position {error:.1e} m")),
+    ];
+    let figures: Vec<_> = figures.into_iter().flatten().collect();
+    let worst = plain(certificate.worst_at_s);
+    let reach = plain(certificate.covered_to_s);
+    let until = if certificate.is_whole { String::new() } else { format!(", certified to t = {reach} s only") };
+    format!("{}; worst at {worst} s of {samples} samples{until}; by {reference}", figures.join(", "))
+}
+
+fn certificate_as_json(certificate: &Certificate) -> Value {
+    json!({
+        "attitude_rad": certificate.attitude_rad,
+        "angular_velocity_relative": certificate.angular_velocity_relative,
+        "angular_momentum_relative": certificate.angular_momentum_relative,
+        "position_m": certificate.position_m,
+        "worst_at_s": certificate.worst_at_s,
+        "covered_to_s": certificate.covered_to_s,
+        "is_whole": certificate.is_whole,
+        "samples": certificate.samples,
+        "method": certificate.method,
+        "reference": certificate.reference,
+        "reference_uncertainty": certificate.reference_uncertainty,
+    })
 }
 
 /// How many samples, to when.

@@ -14,6 +14,7 @@ use super::report::Report;
 use crate::propagation::PropagationError;
 use crate::recording::{Recorder, RecordingError};
 use crate::scenario::{Plan, ScenarioError, library};
+use crate::study::certify;
 
 /// Why a scene was not run to its end.
 #[derive(Debug, Error)]
@@ -24,6 +25,8 @@ enum RunError {
     Recording(#[from] RecordingError),
     #[error("cannot measure the checks: {0}")]
     Checks(#[from] PropagationError),
+    #[error("cannot certify the motion: {0}")]
+    Certificate(PropagationError),
     #[error("cannot make the folder {path}: {source}", path = path.display())]
     Folder { path: PathBuf, source: io::Error },
     #[error("two scenes are called {0:?}: their recordings would have one name")]
@@ -49,6 +52,9 @@ pub fn execute(arguments: &RunArguments) -> io::Result<Outcome> {
                     values.push(report.as_json());
                 } else if !arguments.quiet {
                     print(&format!("{}{}", if index == 0 { "" } else { "\n" }, report.as_text()))?;
+                }
+                for missed in report.missed_tolerances() {
+                    remark(&format!("{}: {missed}", report.plan.name));
                 }
                 for check in report.checks.iter().filter(|check| !check.passed) {
                     remark(&format!("{}: check failed: {}", report.plan.name, check.name));
@@ -89,7 +95,13 @@ fn plans(arguments: &RunArguments) -> Result<Vec<Plan>, RunError> {
     Ok(plans)
 }
 
-fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<Report, RunError> {
+fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<Report, RunError> {
+    if arguments.certify {
+        let certificates = certify(&plan).map_err(RunError::Certificate)?;
+        for (body, certificate) in plan.bodies.iter_mut().zip(certificates) {
+            body.certificate = Some(certificate);
+        }
+    }
     let started = Instant::now();
     let bar = progress.bar(&plan.name, plan.grid.len());
     let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));

@@ -13,6 +13,8 @@ pub struct Combined {
     pub couples: Vec<Couple>,
     /// c of −c ω, N m s.
     pub damping: f64,
+    /// c of −c L, 1/s.
+    pub brake: f64,
     /// The gravity gradient, if one acts.
     pub gradient: Option<Gradient>,
     /// Acceleration of the reference point by forces constant in the body, m/s²; principal axes. Zero if not wanted.
@@ -66,6 +68,7 @@ impl Combined {
             body_moment: Vector3::zeros(),
             couples: Vec::new(),
             damping: 0.0,
+            brake: 0.0,
             gradient: None,
             body_acceleration: Vector3::zeros(),
             world_acceleration: if problem.wants_translation { problem.gravity } else { Vector3::zeros() },
@@ -85,6 +88,7 @@ impl Combined {
             Torque::ConstantBody { moment } => self.body_moment += moment,
             Torque::ConstantWorld { moment } => self.add_couple(moment, Matrix3::identity()),
             Torque::LinearDamping { coefficient } => self.damping += coefficient,
+            Torque::MomentumBrake { rate } => self.brake += rate,
             Torque::ForceBody { force, arm } => {
                 self.body_moment += arm.cross(&force);
                 self.body_acceleration += acceleration(force, problem)?;
@@ -134,7 +138,7 @@ impl Combined {
         body_from_world: &Matrix3<f64>,
         omega: &Vector3<f64>,
     ) -> Vector3<f64> {
-        let mut sum = self.body_moment - self.damping * omega;
+        let mut sum = self.body_moment - self.damping * omega - self.brake * moments.vector().component_mul(omega);
         for couple in &self.couples {
             sum += couple.matrix * (body_from_world * couple.vector);
         }

@@ -59,6 +59,7 @@ impl Problem {
                 Torque::ConstantBody { .. }
                 | Torque::ForceBody { .. }
                 | Torque::LinearDamping { .. }
+                | Torque::MomentumBrake { .. }
                 | Torque::GravityGradient { .. } => return None,
             }
         }

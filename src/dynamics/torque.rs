@@ -46,6 +46,11 @@ pub enum Torque {
         /// c, N m s, not negative.
         coefficient: f64,
     },
+    /// τ = −c L: every component of the angular momentum dies away alike, and its direction in the world stays.
+    MomentumBrake {
+        /// c, 1/s, not negative.
+        rate: f64,
+    },
     /// τ = arm × F, force F constant in the body: a thruster.
     ForceBody {
         /// In principal axes, N.
@@ -86,6 +91,7 @@ impl Torque {
             Self::ConstantBody { moment } => moment,
             Self::ConstantWorld { moment } => state.attitude.to_body(&moment),
             Self::LinearDamping { coefficient } => -coefficient * state.angular_velocity.in_body(),
+            Self::MomentumBrake { rate } => -rate * moments.vector().component_mul(&state.angular_velocity.in_body()),
             Self::ForceBody { force, arm } => arm.cross(&force),
             Self::ForceWorld { force, arm } => arm.cross(&state.attitude.to_body(&force)),
             Self::GravityGradient { mean_motion } => {

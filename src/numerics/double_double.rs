@@ -138,6 +138,33 @@ impl DoubleDouble {
         let rest = self - Self::product(root, root);
         Self::sum(root, rest.hi / (2.0 * root))
     }
+
+    /// (cos x, sin x), each within |x| parts in 2¹⁰³, or within a few where |x| is below 1.
+    ///
+    /// The series at x / 2ⁿ, below ½, then n times squared as a point of the unit circle.
+    #[must_use]
+    pub fn cos_sin(self) -> (Self, Self) {
+        const TERMS: u32 = 28; // 2⁻²⁸ / 28! is 1e-38
+        let mut angle = self;
+        let mut halvings = 0;
+        while angle.hi.abs() > 0.5 && angle.hi.is_finite() {
+            angle = angle.scale(0.5);
+            halvings += 1;
+        }
+        // 1 − x²/(2·1) (1 − x²/(4·3) (…)) and 1 − x²/(3·2) (1 − x²/(5·4) (…)), from the innermost on.
+        let square = angle.square();
+        let nested = |first: u32| {
+            (0..TERMS / 2)
+                .map(|half| first + 2 * half)
+                .rev()
+                .fold(Self::ONE, |rest, n| Self::ONE - square * rest / Self::from(f64::from(n * (n - 1))))
+        };
+        let (mut cosine, mut sine) = (nested(2), angle * nested(3));
+        for _ in 0..halvings {
+            (cosine, sine) = (cosine.square() - sine.square(), (cosine * sine).scale(2.0));
+        }
+        (cosine, sine)
+    }
 }
 
 impl From<f64> for DoubleDouble {

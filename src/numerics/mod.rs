@@ -1,6 +1,7 @@
 //! Mathematics without bodies in it: elliptic functions, rotation maps, double-double, series.
 
 mod compensated;
+mod convolution;
 mod double_double;
 mod elementary;
 mod elliptic;
@@ -9,7 +10,8 @@ mod theta;
 mod turn;
 
 pub use compensated::Compensated;
+pub use convolution::convolution;
 pub use double_double::{DoubleDouble, two_prod, two_sum};
 pub use elliptic::{carlson_rf, complete_k};
-pub use theta::{FlipSum, NomeSeries, Theta, ThetaPair};
+pub use theta::{FlipSum, NomeSeries, ShiftedFlips, ShiftedPair, ShiftedSeries, Theta, ThetaPair, TwoShifts};
 pub use turn::{Phase, Turn};

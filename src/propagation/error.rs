@@ -18,6 +18,14 @@ pub enum PropagationError {
         /// The step asked for, s.
         step: f64,
     },
+    /// The equations of an implicit step have not been solved.
+    #[error("at t = {time} s an implicit step of {step:e} s finds no solution: take shorter steps")]
+    NoConvergence {
+        /// Start of the step, s.
+        time: f64,
+        /// Its length, s.
+        step: f64,
+    },
     /// Times must ascend.
     #[error("sample time {time} s comes before {previous} s: times must ascend")]
     NotAscending {

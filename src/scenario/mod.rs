@@ -1,5 +1,6 @@
 //! What was asked ([`Scenario`]), what will be done ([`Plan`]), what is happening ([`Run`]).
 
+mod certificate;
 mod check;
 mod error;
 #[cfg(feature = "serde")]
@@ -16,6 +17,7 @@ mod run;
 mod scene;
 mod watch;
 
+pub use certificate::Certificate;
 pub use check::{CheckKind, CheckOutcome, CheckPlan};
 pub use error::{Excerpt, Refused, ScenarioError};
 pub use grid::Grid;

@@ -1,6 +1,7 @@
-use super::{CheckPlan, Grid, Provenance};
+use super::{Certificate, CheckPlan, Grid, Provenance};
 use crate::body::{MassProperties, Surface};
 use crate::dynamics::Problem;
+use crate::propagation::FixedStepMethod;
 use crate::telemetry::Channel;
 
 /// What will be done: every value checked, in SI units and principal axes, the path of each body chosen.
@@ -18,6 +19,8 @@ pub struct Plan {
     pub identity: String,
     /// Where the numbers come from.
     pub provenance: Provenance,
+    /// Attitude error that the whole run must keep, rad, if one was asked for.
+    pub tolerance_rad: Option<f64>,
     /// When samples are taken.
     pub grid: Grid,
     /// The bodies.
@@ -51,6 +54,8 @@ pub struct PlannedBody {
     pub moves: bool,
     /// Whether a point of it is held fixed.
     pub is_pivoted: bool,
+    /// What was measured of its error; `None` until someone does.
+    pub certificate: Option<Certificate>,
 }
 
 /// Which propagator a body takes.
@@ -58,14 +63,22 @@ pub struct PlannedBody {
 pub enum Path {
     /// The torque-free closed form: no steps.
     ClosedForm,
+    /// The Lagrange top's closed form: no steps.
+    LagrangeTop,
+    /// The torque-free closed form under a brake along L: no steps.
+    MomentumBrake,
+    /// Rotation about one axis under a constant torque along it: no steps.
+    AxialTorque,
     /// Taylor series.
     Taylor {
         /// Per step, rad.
         tolerance: f64,
     },
-    /// The classical Runge–Kutta method.
-    Rk4 {
-        /// s.
+    /// A method with a fixed step.
+    FixedStep {
+        /// Which.
+        method: FixedStepMethod,
+        /// The longest step, s.
         step: f64,
     },
     /// Dormand–Prince of order 8.
@@ -81,8 +94,11 @@ impl Path {
     pub const fn name(self) -> &'static str {
         match self {
             Self::ClosedForm => "closed form",
+            Self::LagrangeTop => "closed form of the Lagrange top",
+            Self::MomentumBrake => "closed form under a brake",
+            Self::AxialTorque => "closed form of an axial torque",
             Self::Taylor { .. } => "Taylor",
-            Self::Rk4 { .. } => "RK4",
+            Self::FixedStep { method, .. } => method.information().title,
             Self::Dop853 { .. } => "DOP853",
         }
     }

@@ -1,5 +1,8 @@
 use super::{Path, Plan, PlannedBody, ScenarioError};
-use crate::propagation::{Dop853, Effort, FreeRotation, PropagationError, Propagator, Rk4, States, Taylor};
+use crate::propagation::{
+    AxialTorque, BrakedRotation, Dop853, Effort, FixedStep, FreeRotation, LagrangeTop, PropagationError, Propagator,
+    States, Taylor,
+};
 use crate::telemetry::{BodySamples, Derivation, Samples};
 
 /// What is happening: the propagators and the buffers, allocated once.
@@ -42,8 +45,11 @@ impl PlannedBody {
     pub fn propagator(&self) -> Result<Box<dyn Propagator>, PropagationError> {
         Ok(match self.path {
             Path::ClosedForm => Box::new(FreeRotation::new(&self.problem)?),
+            Path::LagrangeTop => Box::new(LagrangeTop::new(&self.problem)?),
+            Path::MomentumBrake => Box::new(BrakedRotation::new(&self.problem)?),
+            Path::AxialTorque => Box::new(AxialTorque::new(&self.problem)?),
             Path::Taylor { tolerance } => Box::new(Taylor::new(&self.problem, tolerance)?),
-            Path::Rk4 { step } => Box::new(Rk4::new(&self.problem, step)?),
+            Path::FixedStep { method, step } => Box::new(FixedStep::new(&self.problem, method, step)?),
             Path::Dop853 { tolerance } => Box::new(Dop853::new(&self.problem, tolerance)?),
         })
     }

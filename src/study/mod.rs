@@ -1,11 +1,15 @@
-//! What methods are worth: their errors against a reference that says how far it can be trusted itself, and their costs.
+//! How good a run is and what methods are worth: certificates, and errors against costs, measured by references that say
+//! how far they can be trusted themselves.
 
+mod certificate;
+mod deviation;
 mod pareto;
 mod reference;
 mod search;
 mod timing;
 mod work_precision;
 
+pub use certificate::certify;
 pub use pareto::pareto_front;
 pub use reference::{Reference, attitude_distance, reference_states};
 pub use timing::{Clock, Spread, interleaved, wall_clock};

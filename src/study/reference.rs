@@ -16,15 +16,15 @@ pub struct Reference {
 
 /// The best motion known of `body` at `times`, s, and how far a second, independent method is from it.
 ///
-/// The closed form where nothing acts, with Taylor series as the witness; elsewhere Taylor series at their tightest,
+/// The closed form where one is known, with Taylor series as the witness; elsewhere Taylor series at their tightest,
 /// with DOP853 at its tightest as the witness. Most of the doubt is the witness's own error.
 ///
 /// # Errors
 /// If the motion ceases to be finite or a step cannot be made small enough.
 pub fn reference_states(body: &PlannedBody, times: &[f64]) -> Result<Reference, ScenarioError> {
-    let is_free = body.problem.loads.is_empty();
+    let is_known = tightest(body, Method::ClosedForm).is_ok();
     let (method, witness) =
-        if is_free { (Method::ClosedForm, Method::Taylor) } else { (Method::Taylor, Method::Dop853) };
+        if is_known { (Method::ClosedForm, Method::Taylor) } else { (Method::Taylor, Method::Dop853) };
     let states = states(&tightest(body, method)?, times)?;
     let other = self::states(&tightest(body, witness)?, times)?;
     Ok(Reference { doubt_rad: attitude_distance(&states, &other), states, method, witness })

@@ -24,7 +24,15 @@ pub struct Request {
 impl Default for Request {
     fn default() -> Self {
         Self {
-            methods: Method::ALL.to_vec(),
+            methods: vec![
+                Method::ClosedForm,
+                Method::Taylor,
+                Method::Dop853,
+                Method::EulerSemiImplicit,
+                Method::Rk4,
+                Method::Splitting4,
+                Method::Gauss6,
+            ],
             errors_rad: vec![1e-3, 1e-6, 1e-9, 1e-12],
             outputs: 20,
             evaluations_max: 1_000_000,

@@ -11,6 +11,12 @@ for case in tests/reference/*.json; do
     cargo run --quiet "$@" --example scene_from_reference "$case" > "$out/$name.toml"
     cargo run --quiet "$@" --bin polhode -- run "$out/$name.toml" --format csv --out "$out" --quiet
     if grep -q '"torques": \[\]' "$case"; then limit=(--factor 10 --floor input); else limit=(--factor 100); fi
-    if python3 tests/reference/check.py "$out/$name.csv" "$case" "${limit[@]}" --json; then :; else failed=1; fi
+    if python3 tests/reference/check.py "$out/$name.csv" "$case" "${limit[@]}" > "$out/judged"; then
+        echo "ok      $name"
+    else
+        echo "FAILED  $name"
+        cat "$out/judged"
+        failed=1
+    fi
 done
 exit $failed

@@ -184,3 +184,57 @@ fn bench_refuses_what_it_cannot_do() {
         assert!(stderr(&output).contains(words), "{}", stderr(&output));
     }
 }
+
+#[test]
+fn a_certified_run_says_its_error_records_it_and_is_held_to_its_tolerance() {
+    let folder = folder_with(SCENE);
+    let run = ["run", "scene.toml", "--certify", "--force"];
+    let output = polhode(folder.path(), &run);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("certified") && stdout(&output).contains("attitude "), "{}", stdout(&output));
+    let recordings = ["scene.mcap", "scene.rrd"].map(|name| folder.path().join("recordings").join(name));
+    let bytes = recordings.each_ref().map(|path| fs::read(path).expect("it is there"));
+    let again = polhode(folder.path(), &[&run[..], &["--json"]].concat());
+    let report: Value = serde_json::from_slice(&again.stdout).expect("stdout is JSON");
+    let certificate = &report[0]["bodies"][0]["certificate"];
+    assert!(certificate["attitude_rad"].as_f64().is_some_and(|error| error < 1e-14), "{certificate:#}");
+    for (path, bytes) in recordings.iter().zip(&bytes) {
+        assert_eq!(fs::read(path).expect("it is there"), *bytes, "{}", path.display());
+    }
+    let name = b"body.body.certificate.attitude_error_rad";
+    assert!(bytes[0].windows(name.len()).any(|window| window == name), "the .mcap carries the certificate");
+
+    let long = ["run", "scene.toml", "--certify", "--format", "csv", "--duration", "1000", "--sample-every", "10"];
+    let missed = polhode(folder.path(), &[&long[..], &["--method", "dop853", "--tolerance", "1e-15"]].concat());
+    assert_eq!(missed.status.code(), Some(1), "{}", stdout(&missed));
+    assert!(stderr(&missed).contains("tolerance missed: body is"), "{}", stderr(&missed));
+}
+
+#[test]
+fn a_killed_run_leaves_parts_that_can_be_read_and_no_recording() {
+    let folder = folder_with(SCENE);
+    let endless = ["run", "scene.toml", "--duration", "1e5", "--sample-every", "1e-3", "--out", "."];
+    let mut run = Command::new(env!("CARGO_BIN_EXE_polhode"))
+        .current_dir(folder.path())
+        .args(endless)
+        .spawn()
+        .expect("the program starts");
+    let part = |name: &str| folder.path().join(format!("scene.{name}.part"));
+    let bytes = |name: &str| fs::metadata(part(name)).map_or(0, |file| file.len());
+    while bytes("mcap") < 3_000_000 || bytes("rrd") < 3_000_000 {
+        assert!(run.try_wait().expect("it can be asked").is_none(), "a hundred million samples are not done yet");
+        std::thread::yield_now();
+    }
+    run.kill().expect("it can be killed");
+    run.wait().expect("it ends");
+    for name in ["mcap", "rrd"] {
+        assert!(!folder.path().join(format!("scene.{name}")).exists(), "{name}: nothing stands under the final name");
+        let output = polhode(folder.path(), &["inspect", &format!("scene.{name}.part"), "--json"]);
+        assert_eq!(output.status.code(), Some(0), "{name}: {}", stderr(&output));
+        let contents: Value = serde_json::from_slice(&output.stdout).expect("stdout is JSON");
+        let counts = contents["entries"].as_array().expect("a list").iter().filter_map(|entry| entry["count"].as_u64());
+        assert!(counts.max().is_some_and(|count| count > 8192), "{name}: what was flushed is there: {contents:#}");
+    }
+    let again = polhode(folder.path(), &["run", "scene.toml", "--out", "."]);
+    assert_eq!(again.status.code(), Some(2), "what a killed run left is not thrown away unasked");
+}

@@ -1,7 +1,7 @@
 //! What runs cost, exactly: a change of cost is seen in review.
 
 use polhode::dynamics::{Load, Problem, Torque, Window};
-use polhode::propagation::{Dop853, Effort, Propagator, Rk4, States, Taylor};
+use polhode::propagation::{Coverage, Dop853, Effort, FixedStep, FixedStepMethod, Propagator, States, Taylor};
 
 use crate::motions::{MOMENTS, RATES, every_torque, grid, problem};
 
@@ -47,13 +47,44 @@ fn taylor_steps() {
 
 #[test]
 fn rk4_evaluations_steps_rejections() {
-    let of = |problem: &Problem, step: f64| effort(Rk4::new(problem, step).expect("covered"));
+    let of =
+        |problem: &Problem, step: f64| effort(FixedStep::new(problem, FixedStepMethod::Rk4, step).expect("covered"));
     // 10 s in steps of 10 ms, four evaluations each.
     assert_eq!(of(&under("force world"), 0.01), [4000, 1000, 0]);
     // Half a second about each edge is cut in two, 0.3 + 0.2 and 0.1 + 0.4, still whole numbers of steps.
     assert_eq!(of(&pulsed(), 0.01), [4000, 1000, 0]);
     // No longer than asked for: half a second in steps of 0.3 is two.
     assert_eq!(of(&under("none"), 0.3), [160, 40, 0]);
+}
+
+/// Ten seconds in steps of 10 ms: evaluations a step are stages, kicks, or as many as the iteration takes.
+#[test]
+fn evaluations_of_methods_with_a_fixed_step() {
+    let found = FixedStepMethod::ALL.map(|method| {
+        let problem = under(if method.information().coverage == Coverage::TorqueFree { "none" } else { "force world" });
+        let [evaluations, steps, rejections] = effort(FixedStep::new(&problem, method, 0.01).expect("covered"));
+        assert_eq!([steps, rejections], [1000, 0]);
+        (method.information().name, evaluations)
+    });
+    let expected = [
+        ("euler_naive", 1000),
+        ("euler_semi_implicit", 1000),
+        ("rk4", 4000),
+        ("rkmk4", 4000),
+        ("splitting2", 2000),
+        ("splitting4", 6000),
+        ("splitting6", 10000),
+        ("splitting8", 18000),
+        ("dmv2", 1000),
+        ("dmv4", 1000),
+        ("dmv6", 1000),
+        ("dmv8", 1000),
+        ("gauss4", 15322),
+        ("gauss6", 21922),
+        ("kicks2", 2000),
+        ("kicks4", 6000),
+    ];
+    assert_eq!(found, expected);
 }
 
 #[test]

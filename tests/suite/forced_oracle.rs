@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use polhode::dynamics::{Load, Problem, Torque, Window};
 use polhode::numerics::DoubleDouble;
-use polhode::propagation::{Dop853, States, Taylor};
+use polhode::propagation::{Dop853, FixedStep, FixedStepMethod, States, Taylor};
 use serde_json::Value;
 
 use crate::motions::{row, run};
@@ -15,6 +15,8 @@ const TIGHTEST: f64 = 1e-16;
 const TAYLOR_FLOORS: f64 = 1.0;
 /// DOP853's worst error at a tolerance of 1e-13: rad, or relative.
 const DOP853_LIMIT: f64 = 1e-10;
+/// The same of the splitting of order 8.
+const SPLITTING8_LIMIT: f64 = 3e-11;
 
 fn vector(value: &Value) -> Vector3<f64> {
     Vector3::from([0, 1, 2].map(|i| value[i].as_f64().expect("a number")))
@@ -45,7 +47,7 @@ fn load(component: &Value) -> Load {
 }
 
 /// The case's problem with all that acts, and translation where the case has one.
-fn problem(case: &Case) -> Problem {
+pub fn problem(case: &Case) -> Problem {
     Problem {
         loads: case.torques.as_array().expect("a list").iter().map(load).collect(),
         wants_translation: case.samples[0].x.is_some(),
@@ -85,7 +87,7 @@ fn size(vector: [DoubleDouble; 3]) -> f64 {
     Vector3::from(vector.map(DoubleDouble::hi)).norm()
 }
 
-fn forced_cases() -> Vec<Case> {
+pub fn forced_cases() -> Vec<Case> {
     let mut cases = cases();
     cases.retain(|case| case.torques.as_array().is_some_and(|torques| !torques.is_empty()));
     cases
@@ -116,5 +118,18 @@ fn dop853_is_near_every_forced_case() {
         let errors = errors(&case, &run(dop853, &times(&case)));
         println!("{:28} attitude, omega, L, x: {errors:?}", case.name);
         assert!(errors.iter().all(|error| *error < DOP853_LIMIT), "{}: {errors:?}", case.name);
+    }
+}
+
+/// Of the methods with a fixed step, one of high order against digits from elsewhere: twenty steps a radian, or a second.
+#[test]
+fn splitting8_is_near_every_forced_case() {
+    for case in forced_cases() {
+        let rate = case.free_problem().initial.angular_velocity.in_body().norm();
+        let step = 0.05 / rate.max(1.0);
+        let splitting8 = FixedStep::new(&problem(&case), FixedStepMethod::Splitting8, step).expect("covered");
+        let errors = errors(&case, &run(splitting8, &times(&case)));
+        println!("{:28} attitude, omega, L, x: {errors:?}", case.name);
+        assert!(errors.iter().all(|error| *error < SPLITTING8_LIMIT), "{}: {errors:?}", case.name);
     }
 }

@@ -2,15 +2,19 @@
 
 #[cfg(feature = "serde")]
 mod bad_scenes;
+mod certificates;
 #[cfg(feature = "cli")]
 mod cli;
+mod closed_torques;
 mod csv_format;
 mod effort;
 mod equivalence;
 mod faults;
+mod fixed_step;
 mod floors;
 mod forced_oracle;
 mod free_laws;
+mod lagrange_top;
 #[cfg(feature = "mcap")]
 mod mcap_format;
 #[cfg(feature = "serde")]
@@ -21,6 +25,7 @@ mod oracle;
 mod order;
 mod particles;
 mod planned;
+mod precise;
 mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;

@@ -37,6 +37,7 @@ pub fn every_torque() -> Vec<(&'static str, Torque)> {
         ("constant body", Torque::ConstantBody { moment: Vector3::new(0.3, -0.2, 0.1) }),
         ("constant world", Torque::ConstantWorld { moment: Vector3::new(-0.1, 0.25, 0.2) }),
         ("linear damping", Torque::LinearDamping { coefficient: 0.2 }),
+        ("momentum brake", Torque::MomentumBrake { rate: 0.2 }),
         ("force body", Torque::ForceBody { force: Vector3::new(1.0, 0.5, -0.7), arm }),
         ("force world", Torque::ForceWorld { force: Vector3::new(-0.4, 0.9, -1.6), arm }),
         ("gravity gradient", Torque::GravityGradient { mean_motion: 0.8 }),

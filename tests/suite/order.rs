@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use polhode::body::{Moment, State};
 use polhode::dynamics::{Problem, TorqueModel};
-use polhode::propagation::{Dop853, Propagator, Rk4, States, Taylor};
+use polhode::propagation::{Coverage, Dop853, FixedStep, FixedStepMethod, Propagator, States, Taylor};
 
 use crate::motions::{MOMENTS, RATES, differences, every_torque, grid, problem, run};
 
@@ -24,7 +24,7 @@ fn error(problem: &Problem, mut propagator: impl Propagator) -> (f64, f64) {
 fn rk4_is_of_order_4() {
     for (name, torque) in every_torque() {
         let problem = problem(MOMENTS, RATES, &[torque]);
-        let at = |step: f64| error(&problem, Rk4::new(&problem, step).expect("covered")).0;
+        let at = |step: f64| error(&problem, FixedStep::new(&problem, FixedStepMethod::Rk4, step).expect("covered")).0;
         let order = libm::log2(at(1.0 / 32.0) / at(1.0 / 64.0));
         assert!((order - 4.0).abs() < 0.3, "{name}: order {order}");
     }
@@ -69,12 +69,22 @@ fn a_users_own_torque_converges() {
     let problem = problem(MOMENTS, RATES, &[]);
     let times = grid(END, 3);
     let fine = run(Dop853::with_model(&problem, Box::new(Spring), 1e-14).expect("covered"), &times);
-    let at = |step: f64| {
-        let rk4 = Rk4::with_model(&problem, Box::new(Spring), step).expect("covered");
-        differences(&run(rk4, &times), &fine).0
-    };
-    let order = libm::log2(at(1.0 / 32.0) / at(1.0 / 64.0));
-    assert!((order - 4.0).abs() < 0.3, "order {order}");
+    for method in FixedStepMethod::ALL {
+        let information = method.information();
+        let with_spring = |step: f64| FixedStep::with_model(&problem, Box::new(Spring), method, step);
+        if information.coverage != Coverage::Everything {
+            assert!(with_spring(0.1).is_err(), "{method:?} takes a model");
+            continue;
+        }
+        let at = |step: f64| differences(&run(with_spring(step).expect("covered"), &times), &fine).0;
+        let step = match information.order {
+            1 => 1.0 / 1024.0,
+            4 => 1.0 / 32.0,
+            _ => 1.0 / 8.0,
+        };
+        let order = libm::log2(at(step) / at(0.5 * step));
+        assert!((order - f64::from(information.order)).abs() < 0.3, "{method:?}: order {order}");
+    }
 }
 
 /// Between steps the interpolant is as good as they are.

@@ -17,6 +17,7 @@ pub fn plan(count: u64) -> Plan {
         text: "title = \"Two bodies\"\n".into(),
         identity: "two bodies".into(),
         provenance: Provenance::default(),
+        tolerance_rad: None,
         grid: Grid::Uniform { every_s: 1e-3, count },
         bodies: vec![body("upper", &Channel::ALL), body("lower", &lower)],
         checks: Vec::new(),
@@ -77,6 +78,7 @@ fn body(name: &str, channels: &[Channel]) -> PlannedBody {
         skipped: Vec::new(),
         moves: false,
         is_pivoted: false,
+        certificate: None,
     }
 }
 

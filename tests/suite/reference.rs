@@ -46,6 +46,12 @@ pub fn cases() -> Vec<Case> {
     paths.iter().map(|path| case(path)).collect()
 }
 
+/// Every Lagrange top in `tests/reference/top`, by name of file.
+pub fn tops() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/top");
+    files(&folder).iter().map(|path| case(path)).collect()
+}
+
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder of cases");
     let mut paths: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();

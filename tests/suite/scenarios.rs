@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path as FilePath;
 
+use polhode::propagation::FixedStepMethod;
 use polhode::scenario::{Path, Plan, Scenario, library};
 
 /// More than this takes long to record and to load.
@@ -66,17 +67,33 @@ fn scenes_pass_their_own_checks() {
 }
 
 #[test]
-fn free_bodies_take_the_closed_form_and_others_taylor_series() {
+fn bodies_take_a_closed_form_where_one_is_known_and_taylor_series_elsewhere() {
     for name in library::names() {
         for body in plan(name).bodies {
             let is_as_expected = match body.path {
                 Path::ClosedForm => body.problem.loads.is_empty(),
-                Path::Taylor { .. } => !body.problem.loads.is_empty(),
+                Path::LagrangeTop => name == "lagrange_top",
+                Path::AxialTorque => name == "spin_up",
+                Path::Taylor { .. } => !["lagrange_top", "spin_up"].contains(&name) && !body.problem.loads.is_empty(),
                 _ => false,
             };
             assert!(is_as_expected, "{name}: {} by {}", body.name, body.path.name());
         }
     }
+}
+
+#[test]
+fn brakes_take_a_closed_form_unless_they_have_a_window() {
+    let scene = |window: &str| {
+        let text = format!(
+            "duration_s = 1.0\nsample_every_s = 0.1\n[[body]]\nprincipal_moments_kg_m2 = [1.0, 2.0, 2.5]\n\
+             angular_velocity_rad_s = [0.1, 5.0, 0.1]\n[[body.torque.momentum_brake]]\nrate_per_s = 0.1\n{window}"
+        );
+        let scenario = Scenario::parse(&text, "brake.toml", &[]).expect("a scene");
+        Plan::new(&scenario).expect("a plan").bodies.remove(0)
+    };
+    assert_eq!(scene("").path, Path::MomentumBrake);
+    assert!(matches!(scene("end_s = 0.5").path, Path::Taylor { .. }));
 }
 
 #[test]
@@ -94,6 +111,20 @@ fn scenes_run_to_their_last_sample() {
     }
 }
 
+/// The names of the table are those of the scene language.
+#[test]
+fn every_method_with_a_fixed_step_can_be_asked_for() {
+    let text = library::text("dzhanibekov").expect("the scene");
+    for method in FixedStepMethod::ALL {
+        let name = method.information().name;
+        let overrides = [format!("method={name}"), "step_s=0.001".to_owned()];
+        let scenario = Scenario::parse(text, "dzhanibekov", &overrides).expect(name);
+        let body = &Plan::new(&scenario).expect(name).bodies[0];
+        assert_eq!(body.path, Path::FixedStep { method, step: 0.001 });
+        assert!(body.propagator().is_ok(), "{name}");
+    }
+}
+
 #[test]
 fn any_key_can_be_overridden() {
     let text = library::text("dzhanibekov").expect("the scene");
@@ -103,7 +134,7 @@ fn any_key_can_be_overridden() {
     assert_eq!(scenario.duration_s, Some(2.0));
     assert_eq!(scenario.body[0].angular_velocity_rad_s, Some([0.0, 0.5, 6.0]));
     let plan = Plan::new(&scenario).expect("a plan");
-    assert!(matches!(plan.bodies[0].path, Path::Rk4 { .. }));
+    assert!(matches!(plan.bodies[0].path, Path::FixedStep { method: FixedStepMethod::Rk4, .. }));
     assert_eq!(plan.grid.len(), 401);
 
     let overrides = ["body.0.angular_velocity=[0, 0.5, 6]".to_owned()];

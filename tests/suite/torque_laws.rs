@@ -306,7 +306,7 @@ fn what_starts_from_rest_gets_going() {
     for (name, torque) in every_torque() {
         let states = run(taylor(&problem(MOMENTS, [0.0; 3], &[torque])), &[0.0, 5.0]);
         let moves = Vector3::from(row(&states.angular_velocity, 1)).norm() > 1e-3;
-        assert_eq!(moves, name != "linear damping", "{name}");
+        assert_eq!(moves, !["linear damping", "momentum brake"].contains(&name), "{name}");
     }
 }
 

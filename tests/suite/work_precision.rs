@@ -24,7 +24,8 @@ fn driven() -> PlannedBody {
 }
 
 fn study(body: &PlannedBody) -> WorkPrecision {
-    let request = Request { errors_rad: ERRORS.to_vec(), budget_s: 0.0, ..Request::default() };
+    let methods = vec![Method::ClosedForm, Method::Taylor, Method::Rk4, Method::Dop853];
+    let request = Request { methods, errors_rad: ERRORS.to_vec(), budget_s: 0.0, ..Request::default() };
     work_precision(body, END_S, &request).expect("a study")
 }
 

@@ -1,7 +1,7 @@
 //! Point masses, and the laws of a rigid body derived from them.
 //!
 //! A rigid body is a set of particles at fixed positions pᵢ in body axes. All else follows, in world axes
-//! (\[Baraff97\], \[Goldstein02\] ch. 4 and 5):
+//! (`[Baraff97]`, `[Goldstein02]` ch. 4 and 5):
 //!
 //! | law | here |
 //! |---|---|

@@ -92,7 +92,7 @@ pub struct Flip {
 
 /// eˣ for x ≤ 0, at least e^(−700): without branches, so that the loops over samples become vector code.
 #[inline]
-fn exp_of_negative(x: f64) -> f64 {
+pub(super) fn exp_of_negative(x: f64) -> f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0; // 1.5 × 2⁵²: adding it leaves the nearest integer in the low bits
     const LN_2_HI: f64 = 0.693_147_180_369_123_8; // 33 bits, so that k times it is exact
     const LN_2_LO: f64 = 1.908_214_929_270_587_7e-10;

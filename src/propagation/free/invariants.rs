@@ -1,6 +1,6 @@
-use super::frame::Frame;
-use super::quaternion::ExactQuaternion;
 use crate::numerics::DoubleDouble;
+use crate::propagation::exact::ExactQuaternion;
+use crate::propagation::exact::Frame;
 
 /// What a start determines, in double-double: moments and ω in primed axes and of the order of 1.
 #[derive(Debug, Clone, Copy)]

@@ -3,10 +3,7 @@
 //! Constants and phases are worked out in double-double from inputs taken as exact; a sample costs one series in f64,
 //! whatever its time. Derivation after `[CFSZ08]`, with theta functions of the squared nome for the attitude.
 
-mod columns;
-mod frame;
 mod invariants;
-mod quaternion;
 mod rotation;
 mod separatrix;
 mod symmetric;

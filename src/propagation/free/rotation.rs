@@ -1,7 +1,4 @@
-use super::columns::{Motion, fill_rates, fill_rates_and_attitude};
-use super::frame::Frame;
 use super::invariants::{Polhode, Start};
-use super::quaternion::ExactQuaternion;
 use super::separatrix::Separatrix;
 use super::symmetric::Symmetric;
 use super::tri_axial::{Nome, TriAxial};
@@ -9,6 +6,9 @@ use super::uniform::Uniform;
 use crate::dynamics::Problem;
 use crate::numerics::{DoubleDouble, FlipSum, NomeSeries};
 use crate::propagation::ballistic::Ballistic;
+use crate::propagation::exact::ExactQuaternion;
+use crate::propagation::exact::Frame;
+use crate::propagation::exact::{Motion, fill_rates, fill_rates_and_attitude};
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
 /// The torque-free motion, exactly: any principal moments, any ω, any time, at the cost of one evaluation a sample.

@@ -1,9 +1,9 @@
 use nalgebra::{Matrix4, Vector4};
 
-use super::columns::Motion;
 use super::invariants::{Polhode, Start};
-use super::quaternion::unit;
 use crate::numerics::{DoubleDouble, Phase, carlson_rf};
+use crate::propagation::exact::Motion;
+use crate::propagation::exact::unit;
 
 /// L² = 2E J₂ exactly: one flip, from the middle axis to the middle axis, for ever. sn → tanh, cn and dn → sech.
 ///

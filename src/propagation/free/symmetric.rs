@@ -1,9 +1,9 @@
 use nalgebra::{Matrix4, Vector4};
 
-use super::columns::Motion;
 use super::invariants::Start;
-use super::quaternion::unit;
 use crate::numerics::{DoubleDouble, Phase};
+use crate::propagation::exact::Motion;
+use crate::propagation::exact::unit;
 
 /// Regular precession of a body with J₁ = J₂: axis 3′ circles L while the body turns about axis 3′.
 #[derive(Debug, Clone, Copy)]

@@ -1,9 +1,9 @@
 use nalgebra::{Matrix4, Vector4};
 
-use super::columns::Motion;
 use super::invariants::{Polhode, Start};
-use super::quaternion::unit;
 use crate::numerics::{DoubleDouble, FlipSum, NomeSeries, Phase, Theta, carlson_rf, complete_k};
+use crate::propagation::exact::Motion;
+use crate::propagation::exact::unit;
 
 /// Three different moments, off the separatrix: ω by Jacobi's functions, the attitude by two theta functions.
 ///

@@ -1,8 +1,8 @@
 use nalgebra::{Matrix4x2, Vector2};
 
-use super::columns::Motion;
-use super::quaternion::{ExactQuaternion, unit};
 use crate::numerics::{DoubleDouble, Phase};
+use crate::propagation::exact::Motion;
+use crate::propagation::exact::{ExactQuaternion, unit};
 
 /// Rotation about an axis that stays: rest, a body with three equal moments, a spin about one principal axis.
 #[derive(Debug, Clone, Copy)]

@@ -1,11 +1,11 @@
 use super::dormand_prince::{DENSE_NODES, DENSE_STAGES, DENSE_WEIGHTS, DORMAND_PRINCE_8, ERROR_3, ERROR_5};
-use super::equations::{ATTITUDE, Equations, POSITION, RATES, VELOCITY, Values, normalise};
 use super::tableau::{combine, weighted};
 use crate::dynamics::{Problem, TorqueModel};
+use crate::propagation::equations::{ATTITUDE, Equations, POSITION, RATES, VELOCITY, Values, normalise};
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
-/// The method of Dormand and Prince of order 8, adaptive, with dense output of order 7 [HNW93] §II.10.
+/// The method of Dormand and Prince of order 8, adaptive, with dense output of order 7 `[HNW93]` §II.10.
 ///
 /// Its steps stop exactly where a load starts or ends, and do not depend on the sample times.
 pub struct Dop853 {
@@ -39,7 +39,7 @@ struct Step {
 impl Dop853 {
     /// Shorter steps than this tolerance asks for only collect rounding.
     const TIGHTEST: f64 = 1e-15;
-    /// Factors by which the step may change at once, and what keeps it from being refused [HNW93] §II.4.
+    /// Factors by which the step may change at once, and what keeps it from being refused `[HNW93]` §II.4.
     const SHRINK: f64 = 1.0 / 3.0;
     const GROW: f64 = 6.0;
     const SAFETY: f64 = 0.9;
@@ -176,7 +176,7 @@ impl Dop853 {
     }
 }
 
-/// The coefficients of the interpolant, at the price of three more derivatives [HNW93] §II.10.
+/// The coefficients of the interpolant, at the price of three more derivatives `[HNW93]` §II.10.
 fn interpolant(equations: &mut Equations, step: &mut Step, end: &Values) -> [Values; 7] {
     let Step { start, length, values, derivatives, .. } = step;
     for (stage, (weights, node)) in DENSE_STAGES.iter().zip(DENSE_NODES).enumerate() {

@@ -1,6 +1,6 @@
 use super::tableau::Tableau;
 
-/// Order 8, with error estimates of order 5 and 3: Dormand and Prince [HNW93] §II.10, after the authors' DOP853.
+/// Order 8, with error estimates of order 5 and 3: Dormand and Prince `[HNW93]` §II.10, after the authors' DOP853.
 pub(super) const DORMAND_PRINCE_8: Tableau<12> = Tableau {
     nodes: [
         0.0,

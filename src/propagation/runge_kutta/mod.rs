@@ -2,9 +2,8 @@
 
 mod dop853;
 mod dormand_prince;
-mod equations;
 mod rk4;
 mod tableau;
 
 pub use dop853::Dop853;
-pub use rk4::Rk4;
+pub(in crate::propagation) use rk4::ClassicRk4;

@@ -1,6 +1,6 @@
-use super::equations::{Equations, Values};
+use crate::propagation::equations::{Equations, Values};
 
-/// An explicit Runge–Kutta method as data [HNW93] §II.1.
+/// An explicit Runge–Kutta method as data `[HNW93]` §II.1.
 pub(super) struct Tableau<const STAGES: usize> {
     /// c: where in the step each stage lies.
     pub nodes: [f64; STAGES],
@@ -10,7 +10,7 @@ pub(super) struct Tableau<const STAGES: usize> {
     pub weights: [f64; STAGES],
 }
 
-/// "The" Runge–Kutta method of order 4: Kutta 1901, [HNW93] Table II.1.2.
+/// "The" Runge–Kutta method of order 4: Kutta 1901, `[HNW93]` Table II.1.2.
 pub(super) const CLASSIC_4: Tableau<4> = Tableau {
     nodes: [0.0, 0.5, 0.5, 1.0],
     stages: [&[], &[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],

@@ -9,7 +9,7 @@ use crate::dynamics::{EulerEquations, Problem, Schedule};
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
-/// Motion under any loads, by Taylor series of high order with dense output [JZ05].
+/// Motion under any loads, by Taylor series of high order with dense output `[JZ05]`.
 ///
 /// The state is carried in compensated sums, steps stop exactly where a load starts or ends, and no step is ever
 /// thrown away: its length follows from the series. Where the steps lie does not depend on the sample times.

@@ -22,7 +22,7 @@ pub(super) fn recurrence_for(loads: &Combined, with_attitude: bool) -> Recurrenc
 
 /// The bilinear system, time in the series' unit:
 /// ω' = coupling (ω₂ω₃, …) + I⁻¹ (τ + Σ A u − c ω) + gradient (r₂r₃, …), q' = ½ q ω, u' = u × ω,
-/// r' = r × (ω − n h), h' = h × ω. Each product is a convolution of coefficients [JZ05].
+/// r' = r × (ω − n h), h' = h × ω. Each product is a convolution of coefficients `[JZ05]`.
 fn rotation<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool>(
     terms: &Terms,
     series: &mut Series,

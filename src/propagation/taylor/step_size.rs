@@ -3,7 +3,7 @@ use super::series::{ORDER_MAX, RECIPROCAL, Row, Rows, Series};
 /// The lowest order worth its steps.
 const ORDER_MIN: usize = 4;
 
-/// The order at which a step of best length is cheapest: −½ ln tolerance + 1 [JZ05] §3.
+/// The order at which a step of best length is cheapest: −½ ln tolerance + 1 `[JZ05]` §3.
 pub(super) fn order_for(tolerance: f64) -> usize {
     let order = (1.0 - 0.5 * libm::log(tolerance)).ceil();
     // Small positive integers, so that all three casts are exact.

@@ -13,7 +13,7 @@ pub(super) struct Terms {
     pub moment: [f64; 3],
     /// I⁻¹ A of each couple, by rows.
     pub couples: [[[f64; 3]; 3]; 3],
-    /// c / I.
+    /// c / I, and the brake's rate.
     pub damping: [f64; 3],
     /// What r₂r₃ and cyclic contribute to ω̇: −3 n² times `coupling`.
     pub gradient: [f64; 3],
@@ -42,7 +42,7 @@ impl Terms {
             coupling: coupling.into(),
             moment: loads.body_moment.component_div(&inertia).into(),
             couples,
-            damping: Vector3::repeat(loads.damping).component_div(&inertia).into(),
+            damping: Vector3::repeat(loads.damping).component_div(&inertia).add_scalar(loads.brake).into(),
             gradient: (-strength * coupling).into(),
             mean_motion: loads.gradient.map_or(0.0, |gradient| gradient.mean_motion),
             body_acceleration: loads.body_acceleration.into(),

@@ -48,7 +48,7 @@ fn body(scenario: &Scenario, key: &Key, spec: &BodySpec, name: String) -> Result
         wants_translation: false,
     };
     let recorded = channels::choose(scenario, &problem, moves)?;
-    let (path, reason) = path::choose(scenario, &problem)?;
+    let (path, reason) = path::choose(scenario, &problem, moves)?;
     let body = PlannedBody {
         name,
         properties,
@@ -60,6 +60,7 @@ fn body(scenario: &Scenario, key: &Key, spec: &BodySpec, name: String) -> Result
         skipped: Vec::new(),
         is_pivoted,
         moves,
+        certificate: None,
     };
     Ok(body.watching(&recorded))
 }

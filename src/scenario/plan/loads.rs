@@ -36,6 +36,11 @@ pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<A
         let window = window(&key, spec.start_s, spec.end_s)?;
         loads.push(Load { torque: Torque::LinearDamping { coefficient }, window });
     }
+    for (index, spec) in spec.torque.momentum_brake.iter().enumerate() {
+        let key = torques.field("momentum_brake").index(index);
+        let rate = not_negative(&key.field("rate_per_s"), spec.rate_per_s)?;
+        loads.push(Load { torque: Torque::MomentumBrake { rate }, window: window(&key, spec.start_s, spec.end_s)? });
+    }
     for (index, gradient) in spec.torque.gravity_gradient.iter().enumerate() {
         let key = torques.field("gravity_gradient").index(index);
         if spec.pivot.is_some() {

@@ -28,6 +28,7 @@ fn plan(scenario: &Scenario) -> Result<Plan, Refusal> {
         identity: identity(scenario, &bodies),
         provenance: scenario.provenance.clone(),
         events: events(&bodies, grid.end()),
+        tolerance_rad: scenario.tolerance_rad,
         checks: checks::plan(scenario, &bodies, grid.end())?,
         grid,
         bodies,
@@ -62,6 +63,7 @@ fn describe(load: &Load) -> String {
     match &load.torque {
         Torque::ConstantBody { moment } => format!("body torque {} N m", three(moment)),
         Torque::ConstantWorld { moment } => format!("world torque {} N m", three(moment)),
+        Torque::MomentumBrake { rate } => format!("brake of {rate} /s"),
         Torque::LinearDamping { coefficient } => format!("damping {coefficient} N m s"),
         Torque::ForceBody { force, .. } => format!("body force {} N", three(force)),
         Torque::ForceWorld { force, .. } => format!("world force {} N", three(force)),

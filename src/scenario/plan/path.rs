@@ -1,5 +1,6 @@
 use super::rules::{positive, unused};
 use crate::dynamics::Problem;
+use crate::propagation::{AxialTorque, BrakedRotation, Coverage, FixedStepMethod, Information, LagrangeTop};
 use crate::scenario::{Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
 
 /// Per step, where no tolerance is asked for: as tight as f64 carries.
@@ -24,42 +25,102 @@ impl PlannedBody {
             file: self.name.clone(),
             ..Scenario::default()
         };
-        (self.path, self.reason) = choose(&asked, &self.problem).map_err(|refusal| refusal.locate(&asked))?;
+        (self.path, self.reason) =
+            choose(&asked, &self.problem, self.moves).map_err(|refusal| refusal.locate(&asked))?;
         Ok(self)
     }
 }
 
 /// Which propagator a body takes, and why.
-pub fn choose(scenario: &Scenario, problem: &Problem) -> Result<(Path, String), Refusal> {
+pub fn choose(scenario: &Scenario, problem: &Problem, moves: bool) -> Result<(Path, String), Refusal> {
     let method_key = Key::root("method");
-    let is_free = problem.loads.is_empty();
-    if scenario.method != Method::Rk4 {
-        unused(&Key::root("step_s"), scenario.step_s.as_ref(), "only method = \"rk4\" has a fixed step")?;
+    let known = closed_form(problem, moves);
+    let fixed_step = fixed_step(scenario.method);
+    if fixed_step.is_none() {
+        unused(
+            &Key::root("step_s"),
+            scenario.step_s.as_ref(),
+            "only methods with a fixed step, such as rk4, take one",
+        )?;
     }
-    if matches!(scenario.method, Method::Rk4 | Method::ClosedForm) {
-        let rule = "a closed form has no tolerance, and rk4 has a fixed step";
+    if fixed_step.is_some() || scenario.method == Method::ClosedForm {
+        let rule = "neither a closed form nor a method with a fixed step has a tolerance";
         unused(&Key::root("tolerance_rad"), scenario.tolerance_rad.as_ref(), rule)?;
+    }
+    if let Some(method) = fixed_step {
+        return with_fixed_step(scenario, problem.loads.is_empty(), method);
     }
     let tolerance = step_tolerance(scenario)?;
     Ok(match scenario.method {
-        Method::Auto if is_free => {
-            (Path::ClosedForm, "no torque acts, so the motion is known in closed form".to_owned())
-        }
-        Method::Auto => {
-            let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
-            (Path::Taylor { tolerance }, reason.to_owned())
-        }
-        Method::ClosedForm if is_free => (Path::ClosedForm, asked("closed_form")),
         Method::ClosedForm => {
-            return Err(method_key.refuse("\"closed_form\" needs a body without torques and forces; use \"auto\""));
+            let rule = "\"closed_form\" knows no form for what acts on this body; use \"auto\"";
+            let (path, _) = known.ok_or_else(|| method_key.refuse(rule))?;
+            (path, asked("closed_form"))
         }
         Method::Taylor => (Path::Taylor { tolerance }, asked("taylor")),
         Method::Dop853 => (Path::Dop853 { tolerance: tolerance.max(TIGHTEST_DOP853) }, asked("dop853")),
-        Method::Rk4 => {
-            let key = Key::root("step_s");
-            let step = scenario.step_s.ok_or_else(|| key.refuse("missing: method = \"rk4\" needs it"))?;
-            (Path::Rk4 { step: positive(&key, step)? }, asked("rk4"))
-        }
+        // Left over: "auto".
+        _ => known.map_or_else(
+            || {
+                let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
+                (Path::Taylor { tolerance }, reason.to_owned())
+            },
+            |(path, reason)| (path, reason.to_owned()),
+        ),
+    })
+}
+
+/// The closed form of a motion, if one is known, and why it is one. It must hold whichever channels are watched.
+fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str)> {
+    if problem.loads.is_empty() {
+        return Some((Path::ClosedForm, "no torque acts, so the motion is known in closed form"));
+    }
+    if BrakedRotation::covers(problem) {
+        let reason = "a brake along the angular momentum only slows the torque-free motion, known in closed form";
+        return Some((Path::MomentumBrake, reason));
+    }
+    if AxialTorque::covers(problem) {
+        let reason = "the torque is constant along the axis of a steady spin, so the angle is a quadratic of time";
+        return Some((Path::AxialTorque, reason));
+    }
+    if !moves && LagrangeTop::covers(problem) {
+        let reason = "a symmetric body under a force on its axis is Lagrange's top, known in closed form";
+        return Some((Path::LagrangeTop, reason));
+    }
+    None
+}
+
+fn with_fixed_step(scenario: &Scenario, is_free: bool, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
+    let Information { name, coverage, .. } = method.information();
+    if coverage == Coverage::TorqueFree && !is_free {
+        let rule = format_args!("\"{name}\" needs a body without torques and forces");
+        return Err(Key::root("method").refuse(rule));
+    }
+    let key = Key::root("step_s");
+    let step = scenario.step_s.ok_or_else(|| key.refuse(format_args!("missing: method = \"{name}\" needs it")))?;
+    Ok((Path::FixedStep { method, step: positive(&key, step)? }, asked(name)))
+}
+
+/// The method with a fixed step of that name, if it is one.
+const fn fixed_step(method: Method) -> Option<FixedStepMethod> {
+    Some(match method {
+        Method::Auto | Method::ClosedForm | Method::Taylor | Method::Dop853 => return None,
+        Method::EulerNaive => FixedStepMethod::EulerNaive,
+        Method::EulerSemiImplicit => FixedStepMethod::EulerSemiImplicit,
+        Method::Rk4 => FixedStepMethod::Rk4,
+        Method::Rkmk4 => FixedStepMethod::Rkmk4,
+        Method::Splitting2 => FixedStepMethod::Splitting2,
+        Method::Splitting4 => FixedStepMethod::Splitting4,
+        Method::Splitting6 => FixedStepMethod::Splitting6,
+        Method::Splitting8 => FixedStepMethod::Splitting8,
+        Method::Dmv2 => FixedStepMethod::Dmv2,
+        Method::Dmv4 => FixedStepMethod::Dmv4,
+        Method::Dmv6 => FixedStepMethod::Dmv6,
+        Method::Dmv8 => FixedStepMethod::Dmv8,
+        Method::Gauss4 => FixedStepMethod::Gauss4,
+        Method::Gauss6 => FixedStepMethod::Gauss6,
+        Method::Kicks2 => FixedStepMethod::Kicks2,
+        Method::Kicks4 => FixedStepMethod::Kicks4,
     })
 }
 

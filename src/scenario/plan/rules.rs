@@ -44,7 +44,7 @@ pub fn unit_vector(key: &Key, value: [f64; 3]) -> Result<Vector3<f64>, Refusal> 
     if (length - 1.0).abs() <= Attitude::LENGTH_TOLERANCE {
         return Ok(Vector3::from(value) / length);
     }
-    let unit = (Vector3::from(value) / length).map(round_to_print);
+    let unit = Vector3::from(value) / length;
     let advice =
         if unit.iter().all(|c| c.is_finite()) { format!("; normalised: {:?}", unit.as_slice()) } else { String::new() };
     Err(key.refuse(format_args!("{value:?} has length {length}: a direction has length 1{advice}")))
@@ -57,14 +57,9 @@ pub fn rotation(key: &Key, wxyz: Option<[f64; 4]>) -> Result<Attitude, Refusal> 
         let [w, x, y, z] = wxyz;
         let unit = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), f64::MIN_POSITIVE)
             .filter(|_| wxyz.iter().all(|component| component.is_finite()));
-        let advice =
-            unit.map_or(String::new(), |q| format!("; normalised: {:?}", [q.w, q.i, q.j, q.k].map(round_to_print)));
+        let advice = unit.map_or(String::new(), |q| format!("; normalised: {:?}", [q.w, q.i, q.j, q.k]));
         key.refuse(format_args!("{error}{advice}"))
     })
-}
-
-fn round_to_print(component: f64) -> f64 {
-    (component * 1e15).round() / 1e15
 }
 
 /// Refuses a key that is given though nothing uses it.

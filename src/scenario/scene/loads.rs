@@ -28,6 +28,8 @@ pub struct TorqueSpecs {
     pub constant_world: Vec<MomentSpec>,
     /// τ = −c ω.
     pub linear_damping: Vec<DampingSpec>,
+    /// τ = −c L.
+    pub momentum_brake: Vec<BrakeSpec>,
     /// On a circular orbit in the world x-y plane, from (1, 0, 0) at t = 0.
     pub gravity_gradient: Vec<GravityGradientSpec>,
 }
@@ -44,6 +46,13 @@ windowed! {
     DampingSpec {
         /// c, N m s, not negative.
         coefficient_n_m_s: f64,
+    }
+}
+windowed! {
+    /// A brake in proportion to L.
+    BrakeSpec {
+        /// c, 1/s, not negative.
+        rate_per_s: f64,
     }
 }
 windowed! {

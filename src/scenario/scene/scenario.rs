@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use super::{BodySpec, Checks};
 
-/// What was asked. [`super::Plan::new`] checks it.
+/// What was asked. [`Plan::new`](crate::scenario::Plan::new) checks it.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
 pub struct Scenario {
@@ -54,14 +54,44 @@ pub enum Method {
     /// The best there is for each body.
     #[default]
     Auto,
-    /// The torque-free closed form.
+    /// The closed form of the motion, where one is known.
     ClosedForm,
     /// Taylor series of the equations of motion, with dense output.
     Taylor,
-    /// The classical Runge–Kutta method with fixed step.
-    Rk4,
     /// Dormand and Prince's Runge–Kutta method of order 8.
     Dop853,
+    /// Explicit Euler on the rotation matrix; the first of the methods with a fixed step.
+    EulerNaive,
+    /// Semi-implicit Euler, as physics engines step.
+    EulerSemiImplicit,
+    /// The classical Runge–Kutta method.
+    Rk4,
+    /// Runge–Kutta on the group of rotations.
+    Rkmk4,
+    /// Splitting into planar rotations, order 2.
+    Splitting2,
+    /// The same, order 4.
+    Splitting4,
+    /// The same, order 6.
+    Splitting6,
+    /// The same, order 8.
+    Splitting8,
+    /// Discrete Moser–Veselov equations, order 2; torque-free.
+    Dmv2,
+    /// The same, order 4; torque-free.
+    Dmv4,
+    /// The same, order 6; torque-free.
+    Dmv6,
+    /// The same, order 8; torque-free.
+    Dmv8,
+    /// Gauss collocation, order 4.
+    Gauss4,
+    /// The same, order 6.
+    Gauss6,
+    /// Exact free motion between kicks, order 2.
+    Kicks2,
+    /// The same, order 4.
+    Kicks4,
 }
 
 /// What a method is told about the accuracy wanted.
@@ -77,7 +107,28 @@ pub enum Setting {
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Auto, Self::ClosedForm, Self::Taylor, Self::Rk4, Self::Dop853];
+    pub const ALL: [Self; 20] = [
+        Self::Auto,
+        Self::ClosedForm,
+        Self::Taylor,
+        Self::Dop853,
+        Self::EulerNaive,
+        Self::EulerSemiImplicit,
+        Self::Rk4,
+        Self::Rkmk4,
+        Self::Splitting2,
+        Self::Splitting4,
+        Self::Splitting6,
+        Self::Splitting8,
+        Self::Dmv2,
+        Self::Dmv4,
+        Self::Dmv6,
+        Self::Dmv8,
+        Self::Gauss4,
+        Self::Gauss6,
+        Self::Kicks2,
+        Self::Kicks4,
+    ];
 
     /// As scenes spell it.
     #[must_use]
@@ -86,8 +137,23 @@ impl Method {
             Self::Auto => "auto",
             Self::ClosedForm => "closed_form",
             Self::Taylor => "taylor",
-            Self::Rk4 => "rk4",
             Self::Dop853 => "dop853",
+            Self::EulerNaive => "euler_naive",
+            Self::EulerSemiImplicit => "euler_semi_implicit",
+            Self::Rk4 => "rk4",
+            Self::Rkmk4 => "rkmk4",
+            Self::Splitting2 => "splitting2",
+            Self::Splitting4 => "splitting4",
+            Self::Splitting6 => "splitting6",
+            Self::Splitting8 => "splitting8",
+            Self::Dmv2 => "dmv2",
+            Self::Dmv4 => "dmv4",
+            Self::Dmv6 => "dmv6",
+            Self::Dmv8 => "dmv8",
+            Self::Gauss4 => "gauss4",
+            Self::Gauss6 => "gauss6",
+            Self::Kicks2 => "kicks2",
+            Self::Kicks4 => "kicks4",
         }
     }
 
@@ -97,7 +163,7 @@ impl Method {
         match self {
             Self::Auto | Self::ClosedForm => Setting::None,
             Self::Taylor | Self::Dop853 => Setting::Tolerance,
-            Self::Rk4 => Setting::Step,
+            _ => Setting::Step,
         }
     }
 }

@@ -5,7 +5,7 @@ use mcap::Attachment;
 use mcap::records::Metadata;
 use sha2::{Digest, Sha256};
 
-use crate::scenario::Plan;
+use crate::scenario::{Certificate, Plan};
 
 /// Version of the layout: topics, schemas and what they mean. Adding to it does not change it.
 const SCHEMA_VERSION: &str = "1";
@@ -29,6 +29,9 @@ pub(super) fn metadata(plan: &Plan) -> Metadata {
     for body in &plan.bodies {
         facts.insert(format!("body.{}.method", body.name), body.path.name().into());
         facts.insert(format!("body.{}.reason", body.name), body.reason.clone());
+        for (name, value) in body.certificate.iter().flat_map(Certificate::facts) {
+            facts.insert(format!("body.{}.certificate.{name}", body.name), value);
+        }
     }
     Metadata { name: "polhode".into(), metadata: facts }
 }

@@ -18,6 +18,7 @@ pub(super) fn document(plan: &Plan, picture: &Picture) -> TextDocument {
     for body in &plan.bodies {
         text += &row(body);
     }
+    text += &certificates(plan);
     text += &provenance(plan);
     let _ = writeln!(text, "\nScene `{}`, recorded by polhode {}.", plan.name, env!("CARGO_PKG_VERSION"));
     TextDocument::from_markdown(text)
@@ -62,6 +63,26 @@ fn row(body: &PlannedBody) -> String {
     let moments: Vec<_> = body.properties.moments.vector().iter().map(|moment| number(*moment)).collect();
     let reason = body.reason.replace('|', "∣");
     format!("| {} | {mass} | {} | {} | {reason} |\n", body.name, moments.join(", "), body.path.name())
+}
+
+/// The certificate of a body as plain text, a fact a line, for programs; `None` where nothing was measured.
+pub(super) fn certificate(body: &PlannedBody) -> Option<TextDocument> {
+    let facts = body.certificate.as_ref()?.facts();
+    let lines: Vec<_> = facts.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    Some(TextDocument::new(lines.join("\n")))
+}
+
+/// What was measured of the bodies' errors, if anything.
+fn certificates(plan: &Plan) -> String {
+    let mut text = String::new();
+    for body in &plan.bodies {
+        let Some(certificate) = &body.certificate else { continue };
+        let _ = writeln!(text, "\n#### Certificate: {}\n\n| | |\n|---|---|", body.name);
+        for (name, value) in certificate.facts() {
+            let _ = writeln!(text, "| {name} | {value} |");
+        }
+    }
+    text
 }
 
 fn provenance(plan: &Plan) -> String {

@@ -32,6 +32,11 @@ impl RerunFile {
         stream.activate(blueprint)?;
 
         stream.once(store, "/about", &[], &about::document(plan, picture))?;
+        for body in &plan.bodies {
+            if let Some(certificate) = about::certificate(body) {
+                stream.once(store, &format!("/certificate/{}", body.name), &[], &certificate)?;
+            }
+        }
         statics::write(&mut stream, store, plan, picture)?;
         let plots = Plots::begin(&mut stream, store, plan)?;
         write_events(&mut stream, store, plan)?;

@@ -25,6 +25,14 @@ pub(super) struct Equations {
     pub evaluations: u64,
 }
 
+/// What acts at one instant.
+pub(super) struct Push {
+    /// N m, principal axes.
+    pub moment: Vector3<f64>,
+    /// Of the reference point, m/s², world axes; zero where no translation is wanted.
+    pub acceleration: Vector3<f64>,
+}
+
 impl Equations {
     pub fn new(problem: &Problem, model: Option<Box<dyn TorqueModel + Send>>) -> Result<Self, DynamicsError> {
         let schedule = Schedule::new(problem)?;
@@ -41,13 +49,12 @@ impl Equations {
 
     /// The values at t = 0.
     pub fn initial(&self) -> Values {
-        let State { attitude, angular_velocity, position, velocity } = &self.problem.initial;
-        let mut values = Values::default();
-        values[RATES].copy_from_slice(angular_velocity.in_body().as_slice());
-        values[ATTITUDE].copy_from_slice(&attitude.wxyz());
-        values[POSITION].copy_from_slice(position.as_slice());
-        values[VELOCITY].copy_from_slice(velocity.as_slice());
-        values
+        values_of(&self.problem.initial)
+    }
+
+    /// Euler's equations of this body.
+    pub fn euler(&self) -> &EulerEquations {
+        &self.euler
     }
 
     /// The span whose loads act now.
@@ -62,25 +69,31 @@ impl Equations {
 
     /// The derivative under the loads of the current span, whatever the time.
     pub fn derivative(&mut self, time: f64, values: &Values) -> Values {
-        self.evaluations += 1;
+        let push = self.push(time, values);
         let mut derivative = Values::default();
         let omega = vector(values, RATES);
-        let loads = &self.schedule.spans()[self.current].loads;
-        let body_from_world = if self.with_attitude { body_from_world(values) } else { Matrix3::identity() };
-        let mut moment = loads.moment(self.problem.moments, time, &body_from_world, &omega);
-        if let Some(model) = &self.model {
-            moment += model.moment(time, &state(values)).in_body();
-        }
-        derivative[RATES].copy_from_slice(self.euler.acceleration(&omega, &moment).as_slice());
+        derivative[RATES].copy_from_slice(self.euler.acceleration(&omega, &push.moment).as_slice());
         if self.with_attitude {
             derivative[ATTITUDE].copy_from_slice(&attitude_rate(quaternion(values), &omega));
         }
         if self.problem.wants_translation {
             derivative[POSITION].copy_from_slice(&values[VELOCITY]);
-            let acceleration = loads.world_acceleration + body_from_world.tr_mul(&loads.body_acceleration);
-            derivative[VELOCITY].copy_from_slice(acceleration.as_slice());
+            derivative[VELOCITY].copy_from_slice(push.acceleration.as_slice());
         }
         derivative
+    }
+
+    /// What the loads of the current span do, whatever the time: one evaluation.
+    pub fn push(&mut self, time: f64, values: &Values) -> Push {
+        self.evaluations += 1;
+        let loads = &self.schedule.spans()[self.current].loads;
+        let body_from_world = if self.with_attitude { body_from_world(values) } else { Matrix3::identity() };
+        let mut moment = loads.moment(self.problem.moments, time, &body_from_world, &vector(values, RATES));
+        if let Some(model) = &self.model {
+            moment += model.moment(time, &state(values)).in_body();
+        }
+        let acceleration = loads.world_acceleration + body_from_world.tr_mul(&loads.body_acceleration);
+        Push { moment, acceleration }
     }
 
     /// Makes room for states at this many times.
@@ -114,7 +127,8 @@ pub(super) fn normalise(values: &mut Values) {
     }
 }
 
-fn vector(values: &Values, range: std::ops::Range<usize>) -> Vector3<f64> {
+/// Three of the values.
+pub(super) fn vector(values: &Values, range: std::ops::Range<usize>) -> Vector3<f64> {
     Vector3::from_column_slice(&values[range])
 }
 
@@ -142,8 +156,8 @@ fn body_from_world(values: &Values) -> Matrix3<f64> {
     )
 }
 
-/// The state that a user's model is shown.
-fn state(values: &Values) -> State {
+/// The values as a state, its quaternion of unit length.
+pub(super) fn state(values: &Values) -> State {
     let [w, x, y, z] = quaternion(values);
     State {
         attitude: Attitude::from_world_from_body(UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))),
@@ -151,4 +165,14 @@ fn state(values: &Values) -> State {
         position: vector(values, POSITION),
         velocity: vector(values, VELOCITY),
     }
+}
+
+/// A state as values.
+pub(super) fn values_of(state: &State) -> Values {
+    let mut values = Values::default();
+    values[RATES].copy_from_slice(state.angular_velocity.in_body().as_slice());
+    values[ATTITUDE].copy_from_slice(&state.attitude.wxyz());
+    values[POSITION].copy_from_slice(state.position.as_slice());
+    values[VELOCITY].copy_from_slice(state.velocity.as_slice());
+    values
 }

@@ -1,4 +1,4 @@
-use super::quaternion::ExactQuaternion;
+use super::ExactQuaternion;
 use crate::numerics::DoubleDouble;
 
 /// Principal axes named anew for the formulae: "primed" axes 1′, 2′, 3′, right-handed, along ± the body's.

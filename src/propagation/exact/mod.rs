@@ -1,0 +1,9 @@
+//! What the closed forms share: columns of samples, axes named anew, quaternions in double-double.
+
+mod columns;
+mod frame;
+mod quaternion;
+
+pub use columns::{Motion, fill_rates, fill_rates_and_attitude};
+pub use frame::Frame;
+pub use quaternion::{ExactQuaternion, unit};

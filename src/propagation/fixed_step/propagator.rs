@@ -1,0 +1,108 @@
+use super::equal_steps::EqualSteps;
+use super::{Coverage, FixedStepMethod, Scheme};
+use crate::dynamics::{Problem, TorqueModel};
+use crate::propagation::equations::{Equations, Values};
+use crate::propagation::sampling::check_times;
+use crate::propagation::{Effort, PropagationError, Propagator, States};
+
+/// A method with a fixed step.
+///
+/// From one sample time or window edge to the next it takes a whole number of equal steps, none longer than asked for,
+/// so that it lands on all of them.
+pub struct FixedStep {
+    equations: Equations,
+    scheme: Box<dyn Scheme>,
+    /// s.
+    longest_step: f64,
+    time: f64,
+    values: Values,
+    steps: u64,
+}
+
+impl FixedStep {
+    /// From a problem, a method and its longest step, s.
+    ///
+    /// # Errors
+    /// [`PropagationError::NotCovered`] if the step is not positive and finite, the method's [`Coverage`] leaves the
+    /// problem out, a force moves a body of unknown mass, or two orbits act at once.
+    pub fn new(problem: &Problem, method: FixedStepMethod, longest_step: f64) -> Result<Self, PropagationError> {
+        Self::build(problem, None, method, longest_step)
+    }
+
+    /// The same with a moment of the caller's own beside the problem's loads.
+    ///
+    /// # Errors
+    /// As for [`Self::new`], and if the method's coverage is not [`Coverage::Everything`].
+    pub fn with_model(
+        problem: &Problem,
+        model: Box<dyn TorqueModel + Send>,
+        method: FixedStepMethod,
+        longest_step: f64,
+    ) -> Result<Self, PropagationError> {
+        Self::build(problem, Some(model), method, longest_step)
+    }
+
+    fn build(
+        problem: &Problem,
+        model: Option<Box<dyn TorqueModel + Send>>,
+        method: FixedStepMethod,
+        longest_step: f64,
+    ) -> Result<Self, PropagationError> {
+        let not_covered = |rule| PropagationError::NotCovered { method: method.information().title, rule };
+        if !(longest_step > 0.0 && longest_step < f64::INFINITY) {
+            return Err(not_covered("its step must be positive and finite"));
+        }
+        match method.information().coverage {
+            Coverage::TorqueFree if !problem.loads.is_empty() || model.is_some() => {
+                return Err(not_covered("nothing may act on the body"));
+            }
+            Coverage::ListedLoads if model.is_some() => {
+                return Err(not_covered("it knows the flow of the listed loads only, not of a model"));
+            }
+            _ => {}
+        }
+        let equations = Equations::new(problem, model).map_err(|error| not_covered(error.rule()))?;
+        let values = equations.initial();
+        Ok(Self { equations, scheme: method.scheme(problem), longest_step, time: 0.0, values, steps: 0 })
+    }
+
+    /// Steps to `end`, within the current span.
+    fn step_to(&mut self, end: f64) -> Result<(), PropagationError> {
+        if end <= self.time {
+            return Ok(());
+        }
+        let steps = EqualSteps::new(self.time, end, self.longest_step)?;
+        let length = steps.length;
+        for time in steps {
+            self.time = time;
+            let values = self.scheme.step(&mut self.equations, time, length, &self.values)?;
+            if values.iter().any(|value| !value.is_finite()) {
+                return Err(PropagationError::NotFinite { time });
+            }
+            self.values = values;
+            self.steps += 1;
+        }
+        self.time = end;
+        Ok(())
+    }
+}
+
+impl Propagator for FixedStep {
+    fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
+        check_times(times, self.time)?;
+        self.equations.reset(states, times.len());
+        for (row, &time) in times.iter().enumerate() {
+            while time > self.equations.span().end {
+                self.step_to(self.equations.span().end)?;
+                self.equations.next_span();
+            }
+            self.step_to(time)?;
+            self.equations.write(&self.values, states, row);
+        }
+        Ok(())
+    }
+
+    fn effort(&self) -> Effort {
+        Effort { evaluations: self.equations.evaluations, steps: self.steps, rejections: 0 }
+    }
+}

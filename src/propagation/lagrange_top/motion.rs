@@ -1,0 +1,155 @@
+use nalgebra::{Matrix4, Vector4};
+
+use super::nutation::{Form, Nutation};
+use super::start::{Start, conjugate, product, square};
+use crate::numerics::{DoubleDouble, Phase};
+use crate::propagation::exact::{ExactQuaternion, Motion, unit};
+
+/// A nutation, turned evenly about the vertical and about the axis, in the world and the axes it was asked for.
+#[derive(Debug, Clone, Copy)]
+pub struct TopMotion<N> {
+    nutation: N,
+    /// By which A and B are turned.
+    phases: [Phase; 2],
+    zeta: f64,
+    slope_rate: f64,
+    /// Sum of the rates of both phases, rad/s.
+    rate_sum: f64,
+    /// ω₁′ + iω₂′ at the start over that of the model.
+    rates_turn: [f64; 2],
+    /// ω₃′, rad/s.
+    along: f64,
+    axes: [usize; 3],
+    signs: [f64; 3],
+    attitude_map: Matrix4<f64>,
+}
+
+/// Complex product.
+#[inline]
+fn times([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
+    [a * c - b * d, a * d + b * c]
+}
+
+/// x* y.
+#[inline]
+fn conjugate_times([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
+    [a * c + b * d, a * d - b * c]
+}
+
+/// The turn from a model's complex number and its rate to the start's. Both turn alike; where one of them is near 0, and
+/// its direction lost, the other decides.
+fn turn_between(start: [[DoubleDouble; 2]; 2], model: [[f64; 2]; 2], per_second: f64) -> [DoubleDouble; 2] {
+    let [value, rate] = [0, 1].map(|k| product(start[k], conjugate(model[k].map(DoubleDouble::from))));
+    let square_rate = per_second * per_second;
+    let turn = [0, 1].map(|k| value[k] * square_rate + rate[k]);
+    let size = square(turn).sqrt();
+    if size.is_zero() {
+        return [DoubleDouble::ONE, DoubleDouble::ZERO];
+    }
+    turn.map(|part| part / size)
+}
+
+/// What a sample is made of: A and B, and the slopes that ω needs, all turned.
+struct Model {
+    pair: [[f64; 2]; 2],
+    slopes: [[f64; 2]; 2],
+}
+
+impl Model {
+    /// A′ and B′ of the model at unit length, but for a positive factor, if A and B turn besides at these rates.
+    fn rates(&self, even: [f64; 2]) -> [[f64; 2]; 2] {
+        let with_turn = |k: usize| {
+            let ([re, im], [slope_re, slope_im]) = (self.pair[k], self.slopes[k]);
+            [slope_re - even[k] * im, slope_im + even[k] * re]
+        };
+        let rates = [with_turn(0), with_turn(1)];
+        let inner =
+            |x: [[f64; 2]; 2]| self.pair.iter().flatten().zip(x.iter().flatten()).map(|(a, b)| a * b).sum::<f64>();
+        let growth = inner(rates) / inner(self.pair);
+        [0, 1].map(|k| [0, 1].map(|i| rates[k][i] - growth * self.pair[k][i]))
+    }
+}
+
+impl<N: Nutation> TopMotion<N> {
+    pub fn new(start: &Start, form: Form<N>) -> Self {
+        let turns = DoubleDouble::PI.scale(2.0).recip();
+        let destinations = start.frame.destinations();
+        let mut this = Self {
+            nutation: form.nutation,
+            phases: form.rates.map(|rate| Phase { start: DoubleDouble::ZERO, rate: rate * turns }),
+            zeta: form.zeta.hi(),
+            slope_rate: form.slope_rate.hi(),
+            rate_sum: (form.rates[0] + form.rates[1]).hi(),
+            rates_turn: [1.0, 0.0],
+            along: start.along.hi(),
+            axes: destinations.map(|(axis, _)| axis),
+            signs: destinations.map(|(_, sign)| sign),
+            attitude_map: Matrix4::identity(),
+        };
+        let (model, rates) = (this.model(0.0), start.pair_rates());
+        let even = form.rates.map(DoubleDouble::hi);
+        let model_rates = model.rates(even);
+        let turn = [0, 1].map(|k| {
+            let per_second = this.slope_rate + even[k].abs();
+            turn_between([start.pair[k], rates[k]], [model.pair[k], model_rates[k]], per_second)
+        });
+        this.rates_turn = product(conjugate(turn[0]), turn[1]).map(DoubleDouble::hi);
+        let [[a_re, a_im], [b_re, b_im]] = turn;
+        let zero = DoubleDouble::ZERO;
+        let images =
+            [[a_re, zero, zero, a_im], [zero, b_re, b_im, zero], [zero, -b_im, b_re, zero], [-a_im, zero, zero, a_re]];
+        let primed_from_principal = start.frame.principal_from_primed().conjugate();
+        for (column, image) in images.into_iter().enumerate() {
+            let ExactQuaternion(image) =
+                start.world_from_upright.times(ExactQuaternion(image)).times(primed_from_principal);
+            for row in 0..4 {
+                this.attitude_map[(row, column)] = image[row].hi();
+            }
+        }
+        this
+    }
+
+    #[inline]
+    fn model(&self, time: f64) -> Model {
+        let pair = self.nutation.at(time);
+        let (first_sin, first_cos) = self.phases[0].at(time).plus(pair.turns[0]).sin_cos();
+        let (second_sin, second_cos) = self.phases[1].at(time).plus(pair.turns[1]).sin_cos();
+        let (first, second) = ([first_cos, first_sin], [second_cos, second_sin]);
+        Model {
+            pair: [times(first, pair.first), times(second, pair.second.map(|part| self.zeta * part))],
+            slopes: [
+                times(first, pair.first_slope.map(|part| self.slope_rate * part)),
+                times(second, pair.second_slope.map(|part| self.slope_rate * self.zeta * part)),
+            ],
+        }
+    }
+
+    /// ω₁ + iω₂ = 2 (A* B′ − B A′*)/(|A|² + |B|²).
+    #[inline]
+    fn rates_of(&self, Model { pair: [a, b], slopes: [a_slope, b_slope] }: &Model) -> [f64; 3] {
+        let over_size = 2.0 / ((a[0] * a[0] + a[1] * a[1]) + (b[0] * b[0] + b[1] * b[1]));
+        let ([re, im], [b_re, b_im]) = (conjugate_times(*a, *b), conjugate_times(*a, *b_slope));
+        let [a_re, a_im] = conjugate_times(*a_slope, *b);
+        let across = [b_re - a_re - self.rate_sum * im, b_im - a_im + self.rate_sum * re];
+        let [w1, w2] = times(self.rates_turn, across.map(|part| over_size * part));
+        [self.signs[0] * w1, self.signs[1] * w2, self.signs[2] * self.along]
+    }
+}
+
+impl<N: Nutation> Motion for TopMotion<N> {
+    fn axes(&self) -> [usize; 3] {
+        self.axes
+    }
+
+    #[inline]
+    fn rates(&self, time: f64) -> [f64; 3] {
+        self.rates_of(&self.model(time))
+    }
+
+    #[inline]
+    fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
+        let model = self.model(time);
+        let [[w, z], [x, y]] = model.pair;
+        (self.rates_of(&model), unit(self.attitude_map * Vector4::new(w, x, y, z)))
+    }
+}

@@ -1,0 +1,169 @@
+use super::acting::Acting;
+use super::series::{ORDER, Series, exact};
+use super::state::PreciseState;
+use crate::dynamics::{Problem, Schedule};
+use crate::numerics::DoubleDouble;
+use crate::propagation::sampling::check_times;
+use crate::propagation::{Effort, PropagationError};
+
+/// Motion under any loads to about 30 digits, by Taylor series in double-double: the measure of other propagators.
+///
+/// Every number of the problem is taken as the exact value of its f64; the first quaternion is normalised in
+/// double-double. Steps end exactly on the edges of windows. Hundreds of times the cost of [`Taylor`](super::super::Taylor).
+#[derive(Debug, Clone)]
+pub struct PreciseTaylor {
+    /// What acts from one edge to the next, and that edge, s.
+    spans: Vec<(Acting, f64)>,
+    current: usize,
+    series: Series,
+    /// Of the series, s: a power of two.
+    unit: f64,
+    /// Where the series starts, s.
+    start: DoubleDouble,
+    /// Where the step ends, s, and the state there.
+    end: DoubleDouble,
+    state: PreciseState,
+    latest: f64,
+    tolerance: f64,
+    most_steps: u64,
+    effort: Effort,
+}
+
+impl PreciseTaylor {
+    /// Largest last terms of a series, relative, if nothing else is asked for.
+    pub const TOLERANCE: f64 = 1e-32;
+    /// The longest step, s.
+    const LONGEST_STEP: f64 = 1e100;
+
+    /// At t = 0.
+    ///
+    /// # Errors
+    /// [`PropagationError::NotCovered`] if a force moves a body of unknown mass, or two orbits act at once.
+    pub fn new(problem: &Problem) -> Result<Self, PropagationError> {
+        let schedule = Schedule::new(problem)
+            .map_err(|error| PropagationError::NotCovered { method: "precise Taylor", rule: error.rule() })?;
+        let state = PreciseState::from_state(&problem.initial);
+        let spans = schedule.spans().iter().map(|span| (Acting::at(problem, span.start), span.end)).collect();
+        let mut series = Series::new();
+        series.expand(&state, DoubleDouble::ZERO, &Acting::at(problem, 0.0), 1.0, 0);
+        Ok(Self {
+            spans,
+            current: 0,
+            series,
+            unit: 1.0,
+            start: DoubleDouble::ZERO,
+            end: DoubleDouble::ZERO,
+            state,
+            latest: 0.0,
+            tolerance: Self::TOLERANCE,
+            most_steps: u64::MAX,
+            effort: Effort::default(),
+        })
+    }
+
+    /// The same, for at most so many steps: later times are then out of reach.
+    #[must_use]
+    pub fn limited_to(mut self, steps: u64) -> Self {
+        self.most_steps = steps;
+        self
+    }
+
+    /// The same by other steps, whose last terms may be as large as `tolerance`: what differs between two such runs
+    /// tells how far either can be trusted.
+    #[must_use]
+    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// The state at `time`, s, not before that of the last call; `None` if the limit of steps does not reach so far.
+    ///
+    /// # Errors
+    /// If the time goes back, the state ceases to be finite, or a step cannot be made small enough.
+    pub fn at(&mut self, time: f64) -> Result<Option<PreciseState>, PropagationError> {
+        check_times(&[time], self.latest)?;
+        let wanted = DoubleDouble::from(time);
+        while self.end < wanted {
+            if self.effort.steps >= self.most_steps {
+                return Ok(None);
+            }
+            self.advance()?;
+        }
+        self.latest = time;
+        let mut state = self.series.state((wanted - self.start).scale(1.0 / self.unit));
+        state.normalise();
+        Ok(Some(state))
+    }
+
+    /// How far it has come, s.
+    #[must_use]
+    pub fn reached(&self) -> f64 {
+        self.end.hi()
+    }
+
+    /// Evaluations and steps so far.
+    #[must_use]
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    /// Makes one step.
+    fn advance(&mut self) -> Result<(), PropagationError> {
+        if self.end >= DoubleDouble::from(self.spans[self.current].1) {
+            // The last span ends at infinity, so there is a next one.
+            self.current += 1;
+        }
+        let (acting, edge) = &self.spans[self.current];
+        let (time, edge) = (self.end, *edge);
+        self.unit = unit(&self.state, time, acting, &mut self.series);
+        self.series.expand(&self.state, time, acting, self.unit, ORDER);
+        self.start = time;
+        self.effort.evaluations += 1;
+        let step = (self.unit * step_ratio(&self.series, self.tolerance)).min(Self::LONGEST_STEP);
+        let to_edge = if edge.is_finite() { DoubleDouble::from(edge) - time } else { DoubleDouble::from(edge) };
+        let ends_on_edge = to_edge.hi() <= step;
+        let step = if ends_on_edge { to_edge } else { DoubleDouble::from(step) };
+        let mut state = self.series.state(step.scale(1.0 / self.unit));
+        state.normalise();
+        if !state.is_finite() {
+            return Err(PropagationError::NotFinite { time: time.hi() });
+        }
+        if !ends_on_edge && time.hi() + step.hi() == time.hi() {
+            return Err(PropagationError::StepTooSmall { time: time.hi(), step: step.hi() });
+        }
+        self.state = state;
+        self.end = if ends_on_edge { DoubleDouble::from(edge) } else { time + step };
+        self.effort.steps += 1;
+        Ok(())
+    }
+}
+
+/// A power of two near the step's length, from how fast things happen in a state: no coefficient then over- or underflows.
+fn unit(state: &PreciseState, time: DoubleDouble, acting: &Acting, series: &mut Series) -> f64 {
+    series.expand(state, time, acting, 1.0, 1);
+    let turning = largest(&series.rates, 0).max(largest(&series.rates, 1).sqrt());
+    let fading = acting.damping.iter().fold(0.0, |most: f64, value| most.max(value.hi()));
+    let orbiting = acting.gradient.map_or(0.0, |(_, mean_motion)| mean_motion.abs());
+    let fastest = turning.max(fading).max(orbiting);
+    let whole = libm::floor(-libm::log2(fastest));
+    if (-1000.0..1000.0).contains(&whole) { libm::exp2(whole) } else { 1.0 }
+}
+
+/// The σ at which the last two coefficients still add no more than the tolerance, relative to q, ω and x as they are
+/// over the step; infinity where they vanish.
+fn step_ratio(series: &Series, tolerance: f64) -> f64 {
+    let size = |rows: &[[DoubleDouble; ORDER + 1]; 3]| (0..3).map(|k| largest(rows, k)).fold(0.0, f64::max);
+    let (rates, position) = (size(&series.rates), size(&series.position));
+    let relative = |value: f64, size: f64| if size > 0.0 { value / size } else { 0.0 };
+    let ratio = |k: usize| {
+        let last = largest(&series.attitude, k)
+            .max(relative(largest(&series.rates, k), rates))
+            .max(relative(largest(&series.position, k), position));
+        if last > 0.0 { libm::pow(tolerance / last, 1.0 / exact(k)) } else { f64::INFINITY }
+    };
+    ratio(ORDER - 1).min(ratio(ORDER))
+}
+
+fn largest<const N: usize>(rows: &[[DoubleDouble; ORDER + 1]; N], k: usize) -> f64 {
+    rows.iter().fold(0.0, |most, row| row[k].hi().abs().max(most))
+}
