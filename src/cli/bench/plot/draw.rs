@@ -8,7 +8,7 @@ use super::panel;
 use crate::cli::bench::execute::Studies;
 use crate::study::WorkPrecision;
 
-/// DejaVu Sans: Latin, Greek, superscripts. Text looks the same everywhere, and no system needs to have a font.
+/// `DejaVu` Sans: Latin, Greek, superscripts. Text looks the same everywhere, and no system needs to have a font.
 const FONT: &[u8] = include_bytes!("../../fonts/DejaVuSans-subset.ttf");
 /// Of one panel, pixels.
 const PANEL: (u32, u32) = (960, 640);

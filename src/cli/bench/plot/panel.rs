@@ -107,7 +107,8 @@ fn curve<B: DrawingBackend>(
     let mut own: Vec<(f64, f64)> = pareto_front(&pairs, study.reference.doubt_rad)
         .into_iter()
         .zip(points)
-        .filter_map(|(is_on_front, point)| is_on_front.then(|| scale.place(point)))
+        .filter(|(is_on_front, _)| *is_on_front)
+        .map(|(_, point)| scale.place(point))
         .collect();
     own.sort_by(|a, b| a.0.total_cmp(&b.0));
     let name = points.first().map_or("", |point| point.method.key());

@@ -34,6 +34,7 @@ impl Scale {
 }
 
 /// 10 to a whole power, as people write it; nothing between.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as axes call it")]
 pub fn power_of_ten(exponent: &f64) -> String {
     if (exponent - exponent.round()).abs() > 1e-6 {
         return String::new();
