@@ -41,7 +41,7 @@ pub fn times() -> Vec<f64> {
 const BRANCHES: [(&str, [f64; 3], [f64; 3]); 5] = [
     ("tri-axial", [1.0, 2.0, 3.0], [1.0, 2.0, 1.5]),
     ("near separatrix", [1.0, 2.0, 3.0], [1e-3, 5.0, 1e-3]),
-    ("symmetric", [1.0, 1.0, 3.0], [1.0, 2.0, 1.5]),
+    ("symmetric", [1.0, 1.0, 1.5], [1.0, 2.0, 1.5]),
     ("spherical", [2.0, 2.0, 2.0], [1.0, 2.0, 1.5]),
     ("principal axis", [1.0, 2.0, 3.0], [0.0, 0.0, 5.0]),
 ];
@@ -61,17 +61,20 @@ fn closed_form_set_up(bencher: Bencher, name: &str) {
 fn closed_form_rates(bencher: Bencher, name: &str) {
     let mut problem = branch(name);
     problem.wants_attitude = false;
-    fill(bencher, FreeRotation::new(&problem).expect("it is free"));
+    fill(bencher, &problem);
 }
 
 #[divan::bench(args = BRANCHES.map(|branch| branch.0))]
 fn closed_form_rates_and_attitude(bencher: Bencher, name: &str) {
-    fill(bencher, FreeRotation::new(&branch(name)).expect("it is free"));
+    fill(bencher, &branch(name));
 }
 
-fn fill(bencher: Bencher, mut propagator: FreeRotation) {
+/// A propagator does not go back in time: each round takes a fresh one, made outside what is timed.
+pub fn fill(bencher: Bencher, problem: &Problem) {
     let (times, mut states) = (times(), States::default());
-    bencher.counter(ItemsCount::new(COUNT)).bench_local(|| propagator.fill(&times, &mut states));
+    let fresh = || FreeRotation::new(problem).expect("it is free");
+    let run = |mut rotation: FreeRotation| rotation.fill(&times, &mut states).expect("times ascend");
+    bencher.counter(ItemsCount::new(COUNT)).with_inputs(fresh).bench_local_values(run);
 }
 
 /// A hundred seconds with one output: steps, and next to nothing else. 5e-11 gives order 13, 1e-16 order 20.

@@ -6,7 +6,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use polhode::propagation::{FreeRotation, Propagator, States, Taylor};
 use polhode::telemetry::{BodySamples, Channel, Derivation};
 
-use super::motions::{COUNT, problem, times, with_torque};
+use super::motions::{COUNT, fill, problem, times, with_torque};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 const RATES: [f64; 3] = [1.0, 2.0, 1.5];
@@ -15,9 +15,7 @@ const RATES: [f64; 3] = [1.0, 2.0, 1.5];
 fn attitude(bencher: Bencher, with: bool) {
     let mut problem = problem(MOMENTS, RATES);
     problem.wants_attitude = with;
-    let mut free = FreeRotation::new(&problem).expect("it is free");
-    let (times, mut states) = (times(), States::default());
-    bencher.counter(ItemsCount::new(COUNT)).bench_local(|| free.fill(&times, &mut states));
+    fill(bencher, &problem);
 }
 
 #[divan::bench(args = [false, true])]
