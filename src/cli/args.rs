@@ -6,7 +6,7 @@ const EXAMPLES: &str = "\
 Examples:
   polhode list                                    what scenes there are
   polhode run dzhanibekov                         recordings/dzhanibekov.mcap and .rrd
-  polhode run --all --out /tmp/all --force        every scene
+  polhode run --all --out out --force             every scene
   polhode run my_scene.toml --format csv          a scene of your own, as a table
   polhode run dzhanibekov --duration 90 --sample-every 0.001
   polhode run my_scene.toml --set 'body.0.angular_velocity_rad_s=[0, 6, 0.1]'
