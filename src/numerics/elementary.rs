@@ -51,7 +51,7 @@ fn series(coefficients: &[DoubleDouble], stride: usize, x: DoubleDouble) -> Doub
 }
 
 /// 1/n!, n = 0 to 29.
-#[allow(clippy::unreadable_literal)]
+#[allow(clippy::unreadable_literal, reason = "digits are compared whole, not in groups")]
 const INVERSE_FACTORIALS: [DoubleDouble; 30] = [
     DoubleDouble::from_parts(1.0, 0.0),
     DoubleDouble::from_parts(1.0, 0.0),

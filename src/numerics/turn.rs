@@ -22,7 +22,7 @@ pub struct Turn {
 
 impl Phase {
     /// The angle at `time`, whole turns taken off.
-    #[allow(clippy::inline_always)] // without it the sample loops are not vector code: twice the time
+    #[allow(clippy::inline_always, reason = "without it sample loops are not vector code: twice the time")]
     #[inline(always)]
     #[must_use]
     pub fn at(&self, time: f64) -> Turn {
@@ -62,7 +62,7 @@ impl Turn {
     }
 
     /// (sin, cos), each within an ulp of 1.
-    #[allow(clippy::inline_always)] // without it the sample loops are not vector code: twice the time
+    #[allow(clippy::inline_always, reason = "without it sample loops are not vector code: twice the time")]
     #[inline(always)]
     #[must_use]
     pub fn sin_cos(self) -> (f64, f64) {
@@ -85,7 +85,7 @@ fn round(x: f64) -> f64 {
 }
 
 /// (sin 2πx, cos 2πx) for |x| ≤ 1/8 and a little more, by Taylor's series: no other reduction, no table.
-#[allow(clippy::inline_always)]
+#[allow(clippy::inline_always, reason = "without it sample loops are not vector code: twice the time")]
 #[inline(always)]
 fn sin_cos_of_eighth(x: f64) -> (f64, f64) {
     const TAU_LO: f64 = 2.449_293_598_294_706_4e-16;

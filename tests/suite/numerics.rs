@@ -107,7 +107,7 @@ fn phases_come_off_exactly_after_any_number_of_turns() {
 }
 
 /// At Q = 1/32, s = 1/4: v in turns, θ₄ and θ₁/2Q^(1/4) at v − i s as re, im, and sn, cn, dn.
-#[allow(clippy::unreadable_literal, clippy::excessive_precision)]
+#[allow(clippy::unreadable_literal, clippy::excessive_precision, reason = "digits as they are published")]
 const THETA: [[f64; 8]; 5] = [
     [0.0, 0.92952632036720661622, 0.0, 0.0, -0.25180927461654062372, 0.0, 1.0, 1.0],
     [

@@ -106,7 +106,7 @@ pub(super) fn exp_of_negative(x: f64) -> f64 {
 }
 
 /// 1/n!, n = 2 to 13.
-#[allow(clippy::unreadable_literal)]
+#[allow(clippy::unreadable_literal, reason = "digits are compared whole, not in groups")]
 const INVERSE_FACTORIALS: [f64; 12] = [
     0.5,
     0.16666666666666666,

@@ -52,7 +52,7 @@ impl Motion for Symmetric {
         self.axes
     }
 
-    #[allow(clippy::inline_always)] // used twice, yet to become vector code both times
+    #[allow(clippy::inline_always, reason = "used twice, yet to become vector code both times")]
     #[inline(always)]
     fn rates(&self, time: f64) -> [f64; 3] {
         let ([w1, w2, w3], [sign_1, sign_2, sign_3]) = (self.omega, self.signs);
