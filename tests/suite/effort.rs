@@ -34,15 +34,15 @@ fn taylor_steps() {
     let found = ["none", "constant body", "constant world", "linear damping", "force world", "gravity gradient"]
         .map(|name| (name, steps(&under(name), 1e-16), steps(&under(name), 1e-9)));
     let expected = [
-        ("none", 25, 24),
-        ("constant body", 29, 28),
-        ("constant world", 23, 22),
-        ("linear damping", 17, 16),
-        ("force world", 31, 30),
-        ("gravity gradient", 48, 45),
+        ("none", 18, 12),
+        ("constant body", 21, 15),
+        ("constant world", 17, 12),
+        ("linear damping", 13, 9),
+        ("force world", 22, 15),
+        ("gravity gradient", 35, 24),
     ];
     assert_eq!(found, expected);
-    assert_eq!(steps(&pulsed(), 1e-16), 23);
+    assert_eq!(steps(&pulsed(), 1e-16), 18);
 }
 
 #[test]

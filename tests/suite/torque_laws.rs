@@ -311,6 +311,19 @@ fn what_starts_from_rest_gets_going() {
 }
 
 #[test]
+fn next_to_rest_is_no_special_case() {
+    // Whose square, or whose turn's square in seconds, is no f64: the spin stays, and turns nothing.
+    for rate in [1e-100, 1e-170, 1e-300] {
+        let problem = problem(MOMENTS, [rate, 0.0, 0.0], &[Torque::ConstantBody { moment: Vector3::zeros() }]);
+        let states = run(taylor(&problem), &[1.0, 1e9]);
+        assert_eq!(states.angular_velocity[0], [rate; 2]);
+        for i in 0..2 {
+            assert_eq!(state(&states, i).attitude, problem.initial.attitude);
+        }
+    }
+}
+
+#[test]
 fn rates_alone_need_no_attitude() {
     let torques = [every_torque()[0].1, every_torque()[2].1];
     let mut problem = problem(MOMENTS, RATES, &torques);

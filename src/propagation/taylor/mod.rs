@@ -6,12 +6,15 @@
 
 mod carried;
 mod dense;
+mod products;
 mod propagator;
 mod recurrence;
+mod row;
 mod series;
 mod step_size;
 mod stretch;
 mod sums;
 mod terms;
+mod translation;
 
 pub use propagator::Taylor;

@@ -1,11 +1,12 @@
 use super::carried::Carried;
 use super::dense::{LANES, Polynomials, normalise};
-use super::series::Series;
-use super::step_size::{order_for, power_of_two, step_ratio};
+use super::series::{Rows, Series};
+use super::step_size::{LONGEST_STEP, order_for, power_of_two, step_ratio};
 use super::stretch::Stretch;
-use super::sums::Sums;
+use super::sums::{Instant, Sums};
 use super::terms::Terms;
 use crate::dynamics::{EulerEquations, Problem, Schedule};
+use crate::numerics::vectorised;
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
@@ -33,9 +34,6 @@ pub struct Taylor {
 }
 
 impl Taylor {
-    /// The longest step, s, of a body at rest for ever: as good as infinite, and its square is still a number.
-    const LONGEST_STEP: f64 = 1e100;
-
     /// From a problem and the error allowed per step: rad of attitude, and relative in the rates.
     ///
     /// The order follows from `tolerance`, up to 24; below 1e-17 nothing is gained.
@@ -96,46 +94,48 @@ impl Taylor {
         stretch.expand(&self.end, &self.terms, &mut self.series, self.order);
         self.effort.evaluations += 1;
         self.start = self.end;
-
-        let time = self.start.time.high[0];
-        let remaining = self.start.time.until(stretch.end);
-        let step = self.unit * step_ratio(&self.series, self.order, self.tolerance);
-        let step = step.min(remaining).min(Self::LONGEST_STEP);
-        let mut end = self.stepped(step);
-        if step == remaining {
-            end.time = Sums::new([stretch.end]);
-        }
-        let finite = end.is_finite();
+        let ends_at = stretch.end;
+        let step = vectorised(
+            #[inline(always)]
+            || self.leap(ends_at),
+        );
+        let time = self.start.time.high;
+        let finite = self.end.is_finite();
         // The sums could count on, but no f64 sample time could tell such steps apart.
-        let stuck = step < remaining && time + step == time;
+        let stuck = time + step == time && self.end.time.high != ends_at;
         if stuck || !finite {
             // What is asked for again must not come from a series that went nowhere.
             self.series = Series::new();
+            self.end = self.start;
             let too_small = PropagationError::StepTooSmall { time, step };
             return Err(if finite { too_small } else { PropagationError::NotFinite { time } });
         }
-        self.end = end;
         self.unit = power_of_two(step);
         self.effort.steps += 1;
         Ok(())
     }
 
-    /// The state `step` seconds after the start of the series.
-    fn stepped(&self, step: f64) -> Carried {
+    /// Moves the end of the step as far as the series reaches, but not past `ends_at`; returns the step, s.
+    #[inline(always)]
+    fn leap(&mut self, ends_at: f64) -> f64 {
+        let remaining = self.start.time.until(ends_at);
+        let step = self.unit * step_ratio(&self.series, self.order, self.tolerance);
+        let step = step.min(remaining).min(LONGEST_STEP);
         let sigma = step / self.terms.unit;
-        let mut state = self.start;
-        state.time.add([step]);
-        state.rates = self.rates().after(sigma);
-        state.attitude = self.attitude().after(sigma);
-        state.normalise();
+        let time = if step == remaining { Instant::new(ends_at) } else { self.start.time.after(step) };
+        self.end.time = time;
+        self.end.rates = self.rates().after(sigma);
+        self.end.attitude = self.attitude().after(sigma);
+        self.end.normalise();
         if self.wants_translation {
-            state.position = self.position().after(sigma);
-            state.velocity = self.velocity().after(sigma);
+            self.end.position = self.position().after(sigma);
+            self.end.velocity = self.velocity().after(sigma);
         }
-        state
+        step
     }
 
     /// Writes the states at times within the current step, from row `first` on.
+    #[inline(always)]
     fn sample(&self, times: &[f64], first: usize, states: &mut States) {
         let mut rows = first..first;
         for times in times.chunks(LANES) {
@@ -156,22 +156,29 @@ impl Taylor {
         }
     }
 
-    fn attitude(&self) -> Polynomials<'_, 4> {
-        Polynomials { start: &self.start.attitude, rows: &self.series.attitude, order: self.order, unit: 1.0 }
+    #[inline(always)]
+    fn attitude(&self) -> Polynomials<'_> {
+        self.polynomials(&self.start.attitude, &self.series.attitude, 1.0)
     }
 
-    fn rates(&self) -> Polynomials<'_, 3> {
-        let unit = self.terms.unit;
-        Polynomials { start: &self.start.rates, rows: &self.series.rates, order: self.order, unit }
+    #[inline(always)]
+    fn rates(&self) -> Polynomials<'_> {
+        self.polynomials(&self.start.rates, &self.series.rates.rows, 1.0 / self.terms.unit)
     }
 
-    fn position(&self) -> Polynomials<'_, 3> {
-        Polynomials { start: &self.start.position, rows: &self.series.position, order: self.order, unit: 1.0 }
+    #[inline(always)]
+    fn position(&self) -> Polynomials<'_> {
+        self.polynomials(&self.start.position, &self.series.position, 1.0)
     }
 
-    fn velocity(&self) -> Polynomials<'_, 3> {
-        let unit = self.terms.unit;
-        Polynomials { start: &self.start.velocity, rows: &self.series.velocity, order: self.order, unit }
+    #[inline(always)]
+    fn velocity(&self) -> Polynomials<'_> {
+        self.polynomials(&self.start.velocity, &self.series.velocity, 1.0 / self.terms.unit)
+    }
+
+    #[inline(always)]
+    fn polynomials<'a>(&self, start: &'a Sums, rows: &'a Rows, factor: f64) -> Polynomials<'a> {
+        Polynomials { start, rows, order: self.order, factor }
     }
 }
 
@@ -185,7 +192,10 @@ impl Propagator for Taylor {
                 self.advance()?;
             }
             let within = times[done..].iter().take_while(|time| self.end.time.until(**time) <= 0.0).count();
-            self.sample(&times[done..done + within], done, states);
+            vectorised(
+                #[inline(always)]
+                || self.sample(&times[done..done + within], done, states),
+            );
             done += within;
             self.latest = times[done - 1];
         }

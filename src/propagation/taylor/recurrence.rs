@@ -1,8 +1,13 @@
-use super::series::{ORDER_MAX, RECIPROCAL, Row, Series, cross, cyclic_products, hamilton, products};
+use std::array::from_fn;
+
+use super::products::{Two, cross, cross_ends, cyclic, cyclic_ends, turn};
+use super::row::Row;
+use super::series::{ORDER_MAX, RECIPROCAL, Series};
 use super::terms::Terms;
 use crate::dynamics::Combined;
+use crate::numerics::{Four, Kernel, in_registers};
 
-/// Fills the series of one kind of problem up to an order, from the coefficients of order 0.
+/// Fills the series of one kind of problem up to an even order, from the coefficients of order 0.
 pub(super) type Recurrence = fn(&Terms, &mut Series, usize);
 
 /// The recurrence that does what these loads need and nothing else: chosen once for each span.
@@ -20,105 +25,135 @@ pub(super) fn recurrence_for(loads: &Combined, with_attitude: bool) -> Recurrenc
     }
 }
 
-/// The bilinear system, time in the series' unit:
-/// ω' = coupling (ω₂ω₃, …) + I⁻¹ (τ + Σ A u − c ω) + gradient (r₂r₃, …), q' = ½ q ω, u' = u × ω,
-/// r' = r × (ω − n h), h' = h × ω. Each product is a convolution of coefficients `[JZ05]`.
 fn rotation<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool>(
     terms: &Terms,
     series: &mut Series,
     order: usize,
 ) {
-    let order = order.min(ORDER_MAX);
-    for k in 0..order {
-        let next = RECIPROCAL[k + 1];
-        series.rates[k + 1] = scaled(rate::<IMAGES, GRADIENT>(terms, series, k), next);
-        if ATTITUDE {
-            series.attitude[k + 1] = scaled(hamilton(products(&series.attitude, &series.rates, k)), 0.5 * next);
-        }
-        for image in &mut series.images[..IMAGES] {
-            image[k + 1] = scaled(cross(products(image, &series.rates, k)), next);
-        }
-        if GRADIENT {
-            for i in 0..3 {
-                series.relative[k][i] = series.rates[k][i] - terms.mean_motion * series.pole[k][i];
+    in_registers(Rotation::<ATTITUDE, IMAGES, GRADIENT> { terms, series, order: order.min(ORDER_MAX) });
+}
+
+/// The bilinear system, time in the series' unit:
+/// ω' = coupling (ω₂ω₃, …) + I⁻¹ (τ + Σ A u − c ω) + gradient (r₂r₃, …), q' = ½ q ω, u' = u × ω,
+/// r' = r × (ω − n h), h' = h × ω. Each product is a convolution of coefficients `[JZ05]`.
+///
+/// Two orders at a time: what both have in common is summed once, and the chain from one coefficient to the next is
+/// left with two products.
+struct Rotation<'a, const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> {
+    terms: &'a Terms,
+    series: &'a mut Series,
+    order: usize,
+}
+
+impl<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> Kernel
+    for Rotation<'_, ATTITUDE, IMAGES, GRADIENT>
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run<F: Four>(self, proof: F::Proof) {
+        let Self { terms, series, order } = self;
+        let mut k = 0;
+        while k < order {
+            two::<F, IMAGES, GRADIENT>(proof, terms, series, k);
+            // The attitude comes a step behind, so as not to wait for what has just been begun.
+            if ATTITUDE && k > 0 {
+                turn::<F>(proof, &mut series.attitude, &series.rates.rows, k - 2);
             }
-            series.radial[k + 1] = scaled(cross(products(&series.radial, &series.relative, k)), next);
-            series.pole[k + 1] = scaled(cross(products(&series.pole, &series.rates, k)), next);
+            k += 2;
+        }
+        if ATTITUDE && k > 0 {
+            turn::<F>(proof, &mut series.attitude, &series.rates.rows, k - 2);
         }
     }
 }
 
-/// Coefficient k of ω'.
-#[inline]
-fn rate<const IMAGES: usize, const GRADIENT: bool>(terms: &Terms, series: &Series, k: usize) -> Row {
-    let gyroscopic = cyclic_products(&series.rates, k);
-    let mut rate = [0.0; 4];
-    for i in 0..3 {
-        rate[i] = terms.coupling[i] * gyroscopic[i] - terms.damping[i] * series.rates[k][i];
+/// Coefficients k + 1 and k + 2 of all but the attitude.
+#[inline(always)]
+fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
+    proof: F::Proof,
+    terms: &Terms,
+    series: &mut Series,
+    k: usize,
+) {
+    let coupling = terms.coupling.load::<F>(proof);
+    if GRADIENT {
+        set_relative::<F>(proof, terms, series, k);
     }
-    if k == 0 {
-        for i in 0..3 {
-            rate[i] += terms.moment[i];
-        }
+    let rates = cyclic::<F>(proof, &series.rates, k);
+    let mut images = [Two::none(proof); IMAGES];
+    for (product, image) in images.iter_mut().zip(&series.images) {
+        *product = cross::<F>(proof, image, &series.rates, k);
     }
-    for (couple, image) in terms.couples.iter().zip(&series.images[..IMAGES]) {
-        let [x, y, z, _] = image[k];
-        for i in 0..3 {
-            rate[i] += couple[i][0] * x + couple[i][1] * y + couple[i][2] * z;
+    let [mut tidal, mut radial, mut pole] = [Two::none(proof); 3];
+    if GRADIENT {
+        tidal = cyclic(proof, &series.radial, k);
+        radial = cross(proof, &series.radial, &series.relative, k);
+        pole = cross(proof, &series.pole, &series.rates, k);
+    }
+
+    let next = F::splat(proof, RECIPROCAL[k + 1]);
+    let rest = others::<F, IMAGES, GRADIENT>(proof, terms, series, k, tidal.now(k, cyclic_ends(proof, &series.radial)));
+    let sum = rates.now(k, cyclic_ends(proof, &series.rates));
+    let next_images =
+        from_fn::<_, IMAGES, _>(|i| images[i].now(k, cross_ends(proof, &series.images[i], &series.rates)));
+    if GRADIENT {
+        let next_radial = radial.now(k, cross_ends(proof, &series.radial, &series.relative));
+        let next_pole = pole.now(k, cross_ends(proof, &series.pole, &series.rates));
+        series.radial.store(k + 1, next_radial.turned() * next);
+        series.pole.store(k + 1, next_pole.turned() * next);
+    }
+    for (image, sum) in series.images.iter_mut().zip(next_images) {
+        image.store(k + 1, sum.turned() * next);
+    }
+    series.rates.store(k + 1, (coupling * next) * sum.turned() + rest * next);
+    if GRADIENT {
+        set_relative::<F>(proof, terms, series, k + 1);
+    }
+
+    let next = F::splat(proof, RECIPROCAL[k + 2]);
+    let rest =
+        others::<F, IMAGES, GRADIENT>(proof, terms, series, k + 1, tidal.ahead(k, cyclic_ends(proof, &series.radial)));
+    let sum = rates.ahead(k, cyclic_ends(proof, &series.rates));
+    let next_images =
+        from_fn::<_, IMAGES, _>(|i| images[i].ahead(k, cross_ends(proof, &series.images[i], &series.rates)));
+    if GRADIENT {
+        let next_radial = radial.ahead(k, cross_ends(proof, &series.radial, &series.relative));
+        let next_pole = pole.ahead(k, cross_ends(proof, &series.pole, &series.rates));
+        series.radial.store(k + 2, next_radial.turned() * next);
+        series.pole.store(k + 2, next_pole.turned() * next);
+    }
+    for (image, sum) in series.images.iter_mut().zip(next_images) {
+        image.store(k + 2, sum.turned() * next);
+    }
+    series.rates.store(k + 2, (coupling * next) * sum.turned() + rest * next);
+}
+
+/// Coefficient k of ω relative to the orbit.
+#[inline(always)]
+fn set_relative<F: Four>(proof: F::Proof, terms: &Terms, series: &mut Series, k: usize) {
+    let orbit = F::splat(proof, terms.mean_motion) * series.pole.rows[k].load(proof);
+    series.relative.store(k, series.rates.rows[k].load::<F>(proof) - orbit);
+}
+
+/// Coefficient k of ω̇ but for the gyroscopic part.
+#[inline(always)]
+fn others<F: Four, const IMAGES: usize, const GRADIENT: bool>(
+    proof: F::Proof,
+    terms: &Terms,
+    series: &Series,
+    k: usize,
+    tidal: F,
+) -> F {
+    let constant = if k == 0 { &terms.moment } else { &Row::ZERO };
+    let mut sum = constant.load::<F>(proof) - terms.damping.load::<F>(proof) * series.rates.rows[k].load(proof);
+    for (columns, image) in terms.couples.iter().zip(&series.images[..IMAGES]) {
+        for (column, component) in columns.iter().zip(image.rows[k].0) {
+            sum = sum + column.load::<F>(proof) * F::splat(proof, component);
         }
     }
     if GRADIENT {
-        let tidal = cyclic_products(&series.radial, k);
-        for i in 0..3 {
-            rate[i] += terms.gradient[i] * tidal[i];
-        }
-    }
-    rate
-}
-
-/// v' = world acceleration, x' = v: polynomials of order 1 and 2.
-pub(super) fn fall(terms: &Terms, series: &mut Series) {
-    for i in 0..3 {
-        series.velocity[1][i] = terms.world_acceleration[i];
-        series.position[1][i] = series.velocity[0][i];
-        series.position[2][i] = 0.5 * series.velocity[1][i];
-    }
-}
-
-/// v' = world acceleration + R b, x' = v, with R b = q b q* from the finished series of q.
-pub(super) fn thrust(terms: &Terms, series: &mut Series, order: usize) {
-    let order = order.min(ORDER_MAX);
-    let [x, y, z] = terms.body_acceleration;
-    let mut turned = series.attitude;
-    for [w, i, j, k] in &mut turned[..order] {
-        // q (0, b), by itself a quaternion.
-        (*w, *i, *j, *k) =
-            (-(*i * x + *j * y + *k * z), *w * x + *j * z - *k * y, *w * y + *k * x - *i * z, *w * z + *i * y - *j * x);
-    }
-    for k in 0..order {
-        let mut acceleration = conjugate_product(&turned[..=k], &series.attitude[..=k]);
-        if k == 0 {
-            for i in 0..3 {
-                acceleration[i] += terms.world_acceleration[i];
-            }
-        }
-        series.velocity[k + 1] = scaled(acceleration, RECIPROCAL[k + 1]);
-        series.position[k + 1] = scaled(series.velocity[k], RECIPROCAL[k + 1]);
-    }
-}
-
-/// The vector part of Σ a(j) b*(k − j).
-fn conjugate_product(a: &[Row], b: &[Row]) -> Row {
-    let mut sum = [0.0; 4];
-    for ([aw, ax, ay, az], [bw, bx, by, bz]) in a.iter().zip(b.iter().rev()) {
-        sum[0] += ax * bw - aw * bx + az * by - ay * bz;
-        sum[1] += ay * bw - aw * by + ax * bz - az * bx;
-        sum[2] += az * bw - aw * bz + ay * bx - ax * by;
+        sum = sum + terms.gradient.load::<F>(proof) * tidal.turned();
     }
     sum
-}
-
-#[inline]
-fn scaled(row: Row, factor: f64) -> Row {
-    row.map(|value| value * factor)
 }

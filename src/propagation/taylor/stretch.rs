@@ -1,10 +1,12 @@
 use nalgebra::Vector3;
 
 use super::carried::Carried;
-use super::recurrence::{Recurrence, fall, recurrence_for, thrust};
-use super::series::{Row, Series};
-use super::step_size::power_of_two;
+use super::recurrence::{Recurrence, recurrence_for};
+use super::row::Row;
+use super::series::Series;
+use super::step_size::{LONGEST_STEP, power_of_two};
 use super::terms::Terms;
+use super::translation::{fall, thrust};
 use crate::dynamics::{EulerEquations, Gradient, Span};
 
 /// A span of the schedule, with the code and the constants that its series needs: nothing is decided later.
@@ -55,19 +57,19 @@ impl Stretch {
     /// Overwrites the series with that of the motion from a state on, to an order; its unit is that of the terms.
     pub fn expand(&self, state: &Carried, terms: &Terms, series: &mut Series, order: usize) {
         series.attitude[0] = state.attitude.high;
-        series.rates[0] = row(Vector3::from(state.rates.high) * terms.unit);
+        series.rates.set(0, state.rates.high * Row::splat(terms.unit));
         for (image, vector) in series.images.iter_mut().zip(&self.vectors) {
-            image[0] = row(state.to_body(vector));
+            image.set(0, Row::from_vector(state.to_body(vector).into()));
         }
         if let Some(gradient) = self.gradient {
             let Carried { time, .. } = state;
-            series.radial[0] = row(state.to_body(&gradient.radial_at(time.high[0], time.low[0])));
-            series.pole[0] = row(state.to_body(&Vector3::z()));
+            series.radial.set(0, Row::from_vector(state.to_body(&gradient.radial_at(time.high, time.low)).into()));
+            series.pole.set(0, Row::from_vector(state.to_body(&Vector3::z()).into()));
         }
         (self.recurrence)(terms, series, order);
         if self.translation != Translation::Unwanted {
-            series.position[0] = row(Vector3::from(state.position.high));
-            series.velocity[0] = row(Vector3::from(state.velocity.high) * terms.unit);
+            series.position[0] = state.position.high;
+            series.velocity[0] = state.velocity.high * Row::splat(terms.unit);
         }
         match self.translation {
             Translation::Unwanted => {}
@@ -80,16 +82,8 @@ impl Stretch {
     pub fn unit_at(&self, state: &Carried) -> f64 {
         let (terms, mut series) = (self.terms, Series::new());
         self.expand(state, &terms, &mut series, 1);
-        let turning = largest(&series.rates[0]).max(largest(&series.rates[1]).sqrt());
-        let fading = largest(&terms.damping);
-        power_of_two(1.0 / turning.max(fading).max(terms.mean_motion.abs()))
+        let turning = series.rates.rows[0].magnitude().max(series.rates.rows[1].magnitude().sqrt());
+        let fading = terms.damping.magnitude();
+        power_of_two((1.0 / turning.max(fading).max(terms.mean_motion.abs())).min(LONGEST_STEP))
     }
-}
-
-fn row(vector: Vector3<f64>) -> Row {
-    [vector.x, vector.y, vector.z, 0.0]
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, value| value.abs().max(most))
 }

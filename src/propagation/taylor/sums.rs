@@ -1,36 +1,63 @@
+use super::row::Row;
 use crate::numerics::two_sum;
 
-/// Sums kept as high + low parts, so that adding many small terms loses nothing of them.
+/// A vector's sums kept as high + low parts, so that adding many small terms loses nothing of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Sums<const N: usize> {
+pub(super) struct Sums {
     /// The sums, rounded.
-    pub high: [f64; N],
+    pub high: Row,
     /// What rounding took.
-    pub low: [f64; N],
+    pub low: Row,
 }
 
-impl<const N: usize> Sums<N> {
-    pub fn new(values: [f64; N]) -> Self {
-        Self { high: values, low: [0.0; N] }
+impl Sums {
+    pub const fn new(values: Row) -> Self {
+        Self { high: values, low: Row::ZERO }
     }
 
     /// Adds a term to each sum.
-    pub fn add(&mut self, terms: [f64; N]) {
-        for (i, term) in terms.into_iter().enumerate() {
-            let (sum, error) = two_sum(self.high[i], term);
-            (self.high[i], self.low[i]) = two_sum(sum, self.low[i] + error);
-        }
+    #[inline(always)]
+    pub fn add(&mut self, terms: Row) {
+        let (sum, error) = two_sums(self.high, terms);
+        (self.high, self.low) = two_sums(sum, self.low + error);
     }
 
-    pub fn is_finite(&self) -> bool {
-        // A sum of finite numbers is NaN or infinite only where one overflows, which no state should come near.
-        self.high.iter().chain(&self.low).all(|value| value.is_finite())
+    /// NaN or infinite where a component is. Sums of finite numbers overflow only where no state should come near.
+    #[inline(always)]
+    pub fn witness(&self) -> Row {
+        self.high + self.low
     }
 }
 
-impl Sums<1> {
-    /// `value` − the sum, rounded once for all practical purposes.
-    pub fn until(&self, value: f64) -> f64 {
-        (value - self.high[0]) - self.low[0]
+#[inline(always)]
+fn two_sums(a: Row, b: Row) -> (Row, Row) {
+    let sum = a + b;
+    let b_rounded = sum - a;
+    (sum, (a - (sum - b_rounded)) + (b - b_rounded))
+}
+
+/// A time, s, kept in the same way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Instant {
+    pub high: f64,
+    pub low: f64,
+}
+
+impl Instant {
+    pub const fn new(time: f64) -> Self {
+        Self { high: time, low: 0.0 }
+    }
+
+    /// The same, `step` seconds later.
+    #[must_use]
+    pub fn after(self, step: f64) -> Self {
+        let (sum, error) = two_sum(self.high, step);
+        let (high, low) = two_sum(sum, self.low + error);
+        Self { high, low }
+    }
+
+    /// `time` − this one, s, rounded once for all practical purposes.
+    pub fn until(&self, time: f64) -> f64 {
+        (time - self.high) - self.low
     }
 }

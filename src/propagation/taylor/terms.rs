@@ -1,5 +1,6 @@
 use nalgebra::Vector3;
 
+use super::row::Row;
 use crate::dynamics::{Combined, EulerEquations};
 
 /// The constants of the recurrence in one span, divided by the moments of inertia, time in the series' unit.
@@ -8,21 +9,21 @@ pub(super) struct Terms {
     /// The unit of time, s.
     pub unit: f64,
     /// (I₂ − I₃)/I₁ and cyclic.
-    pub coupling: [f64; 3],
+    pub coupling: Row,
     /// Constant body moments, I⁻¹ τ.
-    pub moment: [f64; 3],
-    /// I⁻¹ A of each couple, by rows.
-    pub couples: [[[f64; 3]; 3]; 3],
+    pub moment: Row,
+    /// I⁻¹ A of each couple, by columns.
+    pub couples: [[Row; 3]; 3],
     /// c / I, and the brake's rate.
-    pub damping: [f64; 3],
+    pub damping: Row,
     /// What r₂r₃ and cyclic contribute to ω̇: −3 n² times `coupling`.
-    pub gradient: [f64; 3],
+    pub gradient: Row,
     /// n.
     pub mean_motion: f64,
     /// By forces constant in the body.
     pub body_acceleration: [f64; 3],
     /// By gravity and forces constant in the world.
-    pub world_acceleration: [f64; 3],
+    pub world_acceleration: Row,
 }
 
 impl Terms {
@@ -30,40 +31,45 @@ impl Terms {
     pub fn new(euler: &EulerEquations, loads: &Combined) -> Self {
         let inertia = euler.inertia();
         let coupling = euler.coupling();
-        let mut couples = [[[0.0; 3]; 3]; 3];
-        for (rows, couple) in couples.iter_mut().zip(&loads.couples) {
-            for (i, row) in rows.iter_mut().enumerate() {
-                *row = std::array::from_fn(|j| couple.matrix[(i, j)] / inertia[i]);
+        let mut couples = [[Row::ZERO; 3]; 3];
+        for (columns, couple) in couples.iter_mut().zip(&loads.couples) {
+            for (column, of_matrix) in columns.iter_mut().zip(couple.matrix.column_iter()) {
+                *column = row(of_matrix.component_div(&inertia));
             }
         }
+        let damping = Vector3::repeat(loads.damping).component_div(&inertia).add_scalar(loads.brake);
         let strength = loads.gradient.map_or(0.0, |gradient| gradient.strength);
         Self {
             unit: 1.0,
-            coupling: coupling.into(),
-            moment: loads.body_moment.component_div(&inertia).into(),
+            coupling: row(coupling),
+            moment: row(loads.body_moment.component_div(&inertia)),
             couples,
-            damping: Vector3::repeat(loads.damping).component_div(&inertia).add_scalar(loads.brake).into(),
-            gradient: (-strength * coupling).into(),
+            damping: row(damping),
+            gradient: row(-strength * coupling),
             mean_motion: loads.gradient.map_or(0.0, |gradient| gradient.mean_motion),
             body_acceleration: loads.body_acceleration.into(),
-            world_acceleration: loads.world_acceleration.into(),
+            world_acceleration: row(loads.world_acceleration),
         }
     }
 
     /// From time in s to time in `unit` seconds, a power of two: not a bit is lost.
     pub fn in_unit(&self, unit: f64) -> Self {
-        let by = |factor: f64| move |value: f64| value * factor;
         let square = unit * unit;
+        let (once, twice) = (Row::splat(unit), Row::splat(square));
         Self {
             unit,
             coupling: self.coupling,
-            moment: self.moment.map(by(square)),
-            couples: self.couples.map(|rows| rows.map(|row| row.map(by(square)))),
-            damping: self.damping.map(by(unit)),
-            gradient: self.gradient.map(by(square)),
+            moment: self.moment * twice,
+            couples: self.couples.map(|columns| columns.map(|column| column * twice)),
+            damping: self.damping * once,
+            gradient: self.gradient * twice,
             mean_motion: self.mean_motion * unit,
-            body_acceleration: self.body_acceleration.map(by(square)),
-            world_acceleration: self.world_acceleration.map(by(square)),
+            body_acceleration: self.body_acceleration.map(|value| value * square),
+            world_acceleration: self.world_acceleration * twice,
         }
     }
+}
+
+fn row(vector: Vector3<f64>) -> Row {
+    Row::from_vector(vector.into())
 }
