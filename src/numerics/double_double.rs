@@ -1,3 +1,5 @@
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -13,7 +15,7 @@ pub struct DoubleDouble {
 }
 
 /// a + b exactly, as the rounded sum and its error. Any order of magnitudes.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -22,7 +24,7 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// The same for |a| ≥ |b|, or a = 0.
-#[inline]
+#[inline(always)]
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
@@ -31,7 +33,7 @@ fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
 /// a × b exactly, as the rounded product and its error.
 ///
 /// Where the target has no fused multiply-add, `mul_add` would be a library call; splitting gives the same two numbers.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn two_prod(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -44,7 +46,7 @@ pub fn two_prod(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// Two halves of 26 bits each, whose products are exact.
-#[inline]
+#[inline(always)]
 fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = 134_217_729.0; // 2²⁷ + 1
     let scaled = SPLITTER * a;
@@ -59,6 +61,9 @@ impl DoubleDouble {
     pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// π.
     pub const PI: Self = Self { hi: std::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+
+    /// 1/2π: turns in a radian.
+    pub const TURNS_PER_RADIAN: Self = Self { hi: 0.159_154_943_091_895_35, lo: -9.839_338_337_591_243e-18 };
 
     /// The number `hi + lo`, where `lo` is already below half an ulp of `hi` (as in tables).
     #[must_use]
@@ -135,8 +140,10 @@ impl DoubleDouble {
         }
         // Karp: one Newton step on 1/√x, whose last product needs 53 bits only.
         let root = self.hi.sqrt();
-        let rest = self - Self::product(root, root);
-        Self::sum(root, rest.hi / (2.0 * root))
+        let (p, e) = two_prod(root, root);
+        let rest = ((self.hi - p) - e) + self.lo;
+        let (hi, lo) = quick_two_sum(root, rest / (2.0 * root));
+        Self { hi, lo }
     }
 
     /// (cos x, sin x), each within |x| parts in 2¹⁰³, or within a few where |x| is below 1.
@@ -183,7 +190,7 @@ impl Neg for DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let (s, e) = two_sum(self.hi, other.hi);
         let (t, f) = two_sum(self.lo, other.lo);
@@ -213,7 +220,7 @@ impl Mul for DoubleDouble {
 
 impl Mul<f64> for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: f64) -> Self {
         let (p, e) = two_prod(self.hi, other);
         let (hi, lo) = quick_two_sum(p, e + self.lo * other);
@@ -225,12 +232,12 @@ impl Div for DoubleDouble {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
-        let first = self.hi / other.hi;
-        let rest = self - other * first;
-        let second = rest.hi / other.hi;
-        let rest = rest - other * second;
-        let (hi, lo) = quick_two_sum(first, second);
-        Self { hi, lo } + Self::from(rest.hi / other.hi)
+        // What a first quotient leaves is below an ulp of `self`: f64 holds as much of it as counts.
+        let quotient = self.hi / other.hi;
+        let (p, e) = two_prod(quotient, other.hi);
+        let rest = ((self.hi - p) - e) + (self.lo - quotient * other.lo);
+        let (hi, lo) = quick_two_sum(quotient, rest / other.hi);
+        Self { hi, lo }
     }
 }
 

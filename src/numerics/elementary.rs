@@ -17,7 +17,7 @@ impl DoubleDouble {
         // without losing what is small.
         let k = libm::rint(self.hi() / std::f64::consts::LN_2);
         let r = (self - Self::LN_2 * k).scale(1.0 / 64.0);
-        let mut p = r * series(&INVERSE_FACTORIALS[1..13], 1, r);
+        let mut p = r * series(&INVERSE_FACTORIALS[1..13], 1, 6, r);
         for _ in 0..6 {
             p = p.scale(2.0) + p.square();
         }
@@ -33,22 +33,64 @@ impl DoubleDouble {
             return ((up - down).scale(0.5), (up + down).scale(0.5));
         }
         let square = self.square();
-        (self * series(&INVERSE_FACTORIALS[1..24], 2, square), series(&INVERSE_FACTORIALS[..24], 2, square))
+        (self * series(&INVERSE_FACTORIALS[1..25], 2, 7, square), series(&INVERSE_FACTORIALS[..26], 2, 8, square))
     }
 
     /// (sin x, cos x) for |x| ≤ π/4, where nothing has to be reduced.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
         let square = -self.square();
-        (self * series(&INVERSE_FACTORIALS[1..], 2, square), series(&INVERSE_FACTORIALS, 2, square))
+        (self * series(&INVERSE_FACTORIALS[1..], 2, 9, square), series(&INVERSE_FACTORIALS, 2, 10, square))
     }
 }
 
-/// Horner's rule over every `stride`-th coefficient.
-fn series(coefficients: &[DoubleDouble], stride: usize, x: DoubleDouble) -> DoubleDouble {
-    let every = coefficients.chunks(stride).filter_map(|chunk| chunk.first());
-    every.rev().fold(DoubleDouble::ZERO, |sum, &coefficient| sum * x + coefficient)
+/// Horner's rule over every `stride`-th coefficient. Terms after the first `exact` are below 1e-16 and need f64 only.
+#[inline]
+fn series(coefficients: &[DoubleDouble], stride: usize, exact: usize, x: DoubleDouble) -> DoubleDouble {
+    let (large, small) = coefficients.split_at(exact * stride);
+    let every = |part| <[DoubleDouble]>::chunks(part, stride).filter_map(|chunk| chunk.first());
+    let rest = every(small).rev().fold(0.0, |sum, coefficient| sum * x.hi() + coefficient.hi());
+    every(large).rev().fold(DoubleDouble::from(rest), |sum, &coefficient| sum * x + coefficient)
 }
+
+/// eˣ for x ≤ 0, at least e^(−700), in f64: without branches, so that loops over samples become vector code.
+#[allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+#[inline(always)]
+#[must_use]
+pub fn exp_of_negative(x: f64) -> f64 {
+    const MAGIC: f64 = 6_755_399_441_055_744.0; // 1.5 × 2⁵²: adding it leaves the nearest integer in the low bits
+    const LN_2_HI: f64 = 0.693_147_180_369_123_8; // 33 bits, so that k times it is exact
+    const LN_2_LO: f64 = 1.908_214_929_270_587_7e-10;
+    let x = x.max(-700.0);
+    let shifted = x * std::f64::consts::LOG2_E + MAGIC;
+    let k = shifted - MAGIC;
+    let r = (x - k * LN_2_HI) - k * LN_2_LO;
+    let rest = polynomial(&FROM_SECOND, r);
+    let power = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
+    power + power * (r + r * r * rest)
+}
+
+/// Horner's rule, without closures or iterators: those are not inlined everywhere.
+#[allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+#[inline(always)]
+pub(super) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
+    let mut sum = 0.0;
+    for n in (0..N).rev() {
+        sum = sum * x + coefficients[n];
+    }
+    sum
+}
+
+/// 1/n! in f64, n = 2 to 13.
+const FROM_SECOND: [f64; 12] = {
+    let mut coefficients = [0.0; 12];
+    let mut n = 0;
+    while n < 12 {
+        coefficients[n] = INVERSE_FACTORIALS[n + 2].hi();
+        n += 1;
+    }
+    coefficients
+};
 
 /// 1/n!, n = 0 to 29.
 #[allow(clippy::unreadable_literal, reason = "digits are compared whole, not in groups")]

@@ -1,5 +1,8 @@
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
 use super::DoubleDouble;
 use super::double_double::{two_prod, two_sum};
+use super::elementary::polynomial;
 
 /// An angle that grows evenly with time, in **turns** (of 2π), kept in double-double.
 ///
@@ -22,7 +25,6 @@ pub struct Turn {
 
 impl Phase {
     /// The angle at `time`, whole turns taken off.
-    #[allow(clippy::inline_always, reason = "without it sample loops are not vector code: twice the time")]
     #[inline(always)]
     #[must_use]
     pub fn at(&self, time: f64) -> Turn {
@@ -39,14 +41,14 @@ impl Phase {
 
 impl Turn {
     /// Nearest f64 to the angle, turns.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn turns(self) -> f64 {
         self.hi
     }
 
     /// The angle as (half turn taken off?, rest between −¼ and ¼ turns).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn without_half_turn(self) -> (bool, f64) {
         let halves = round(2.0 * self.hi);
@@ -54,7 +56,7 @@ impl Turn {
     }
 
     /// The angle turned further by a small one, turns.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn plus(self, turns: f64) -> Self {
         let (hi, lo) = two_sum(self.hi, turns);
@@ -62,7 +64,6 @@ impl Turn {
     }
 
     /// (sin, cos), each within an ulp of 1.
-    #[allow(clippy::inline_always, reason = "without it sample loops are not vector code: twice the time")]
     #[inline(always)]
     #[must_use]
     pub fn sin_cos(self) -> (f64, f64) {
@@ -78,20 +79,18 @@ impl Turn {
 }
 
 /// To the nearest integer for |x| < 2⁵¹, to an integer near by beyond; inlined on every target, unlike `f64::round`.
-#[inline]
+#[inline(always)]
 fn round(x: f64) -> f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0; // 1.5 × 2⁵²
     (x + MAGIC) - MAGIC
 }
 
 /// (sin 2πx, cos 2πx) for |x| ≤ 1/8 and a little more, by Taylor's series: no other reduction, no table.
-#[allow(clippy::inline_always, reason = "without it sample loops are not vector code: twice the time")]
 #[inline(always)]
 fn sin_cos_of_eighth(x: f64) -> (f64, f64) {
     const TAU_LO: f64 = 2.449_293_598_294_706_4e-16;
     let y = x * x;
-    let sin_rest = SIN.iter().rev().fold(0.0, |sum, coefficient| sum * y + coefficient) * y;
-    let cos_rest = COS.iter().rev().fold(0.0, |sum, coefficient| sum * y + coefficient) * y;
+    let (sin_rest, cos_rest) = (polynomial(&SIN, y) * y, polynomial(&COS, y) * y);
     (std::f64::consts::TAU * x + x * (TAU_LO + sin_rest), 1.0 + cos_rest)
 }
 

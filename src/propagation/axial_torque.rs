@@ -1,6 +1,6 @@
-use nalgebra::{Matrix4x2, Vector2};
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
-use super::exact::{ExactQuaternion, Motion, fill_rates, fill_rates_and_attitude, unit};
+use super::exact::{ExactQuaternion, Motion, QuaternionMap, fill_columns};
 use super::sampling::check_times;
 use super::{Ballistic, Effort, FreeRotation, PropagationError, Propagator, States};
 use crate::dynamics::{Load, Problem, Torque};
@@ -27,6 +27,7 @@ struct Quadratic {
 }
 
 impl Quadratic {
+    #[inline(always)]
     fn sin_cos(&self, time: f64) -> (f64, f64) {
         let rate = self.rate + self.half_acceleration * time;
         Phase { start: DoubleDouble::ZERO, rate }.at(time).sin_cos()
@@ -45,7 +46,7 @@ struct Axial {
     /// By which ω across the axis turns in the body.
     across: Quadratic,
     /// Attitude = this × (cos, sin) of the half-angle.
-    attitude_map: Matrix4x2<f64>,
+    attitude_map: QuaternionMap<2>,
 }
 
 /// The axis of the torque and its size, if the problem is of this kind.
@@ -101,17 +102,16 @@ impl Axial {
             rate: spin * share * per_turn,
             half_acceleration: (acceleration * share * per_turn).scale(0.5),
         };
-        let attitude = ExactQuaternion::normalised(problem.initial.attitude.wxyz().map(DoubleDouble::from));
+        let attitude = ExactQuaternion::along(problem.initial.attitude.wxyz());
         let mut about = [DoubleDouble::ZERO; 4];
         about[axis + 1] = DoubleDouble::ONE;
-        let (ExactQuaternion(at_cos), ExactQuaternion(at_sin)) = (attitude, attitude.times(ExactQuaternion(about)));
         Self {
             axes,
             omega,
             acceleration,
             half_angle: quadratic(DoubleDouble::ONE.scale(0.5)),
             across: quadratic(DoubleDouble::sum(moments[0], -moments[1]) / moments[1].into()),
-            attitude_map: Matrix4x2::from_fn(|row, column| [at_cos, at_sin][column][row].hi()),
+            attitude_map: QuaternionMap::new([attitude, attitude.times(ExactQuaternion(about))]),
         }
     }
 }
@@ -129,6 +129,7 @@ impl Motion for Axial {
         self.axes
     }
 
+    #[inline(always)]
     fn rates(&self, time: f64) -> [f64; 3] {
         let [spin, w1, w2] = self.omega;
         let (sin, cos) = self.across.sin_cos(time);
@@ -136,9 +137,10 @@ impl Motion for Axial {
         [spin, w1 * cos - w2 * sin, w2 * cos + w1 * sin]
     }
 
+    #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let (sin, cos) = self.half_angle.sin_cos(time);
-        (self.rates(time), unit(self.attitude_map * Vector2::new(cos, sin)))
+        (self.rates(time), self.attitude_map.unit([cos, sin]))
     }
 }
 
@@ -151,11 +153,7 @@ impl Propagator for AxialTorque {
         }
         self.last_time = times.last().copied().unwrap_or(self.last_time);
         states.reset(times.len(), self.wants_attitude, self.translation.is_some());
-        if self.wants_attitude {
-            fill_rates_and_attitude(&self.motion, times, states);
-        } else {
-            fill_rates(&self.motion, times, states);
-        }
+        fill_columns(&self.motion, times, self.wants_attitude, states);
         if let Some(translation) = &self.translation {
             translation.fill(times, states);
         }

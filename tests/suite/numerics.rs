@@ -158,7 +158,11 @@ fn theta_functions_by_either_nome() {
     let series = NomeSeries::new(nome, shift);
     // T = −ln Q/π; the sum over flips holds on both sides of T = 1 for a way.
     let inverse_width = DoubleDouble::PI / decimal("3.465735902799726547086160607290883"); // 5 ln 2
-    let flips = FlipSum::new(inverse_width, shift.scale(2.0) * inverse_width / DoubleDouble::PI);
+    let flips = FlipSum::new(
+        (-(DoubleDouble::PI * inverse_width)).exp(),
+        inverse_width,
+        shift.scale(2.0) * inverse_width / DoubleDouble::PI,
+    );
     for [turns, a_re, a_im, b_re, b_im, sn, cn, dn] in THETA {
         let v = Phase { start: dd(turns), rate: DoubleDouble::ZERO }.at(0.0);
         let close = |found: &[f64], truth: &[f64]| {

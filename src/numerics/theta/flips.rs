@@ -1,5 +1,7 @@
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
 use super::{Theta, ThetaPair};
-use crate::numerics::{DoubleDouble, Turn};
+use crate::numerics::{DoubleDouble, Turn, exp_of_negative};
 
 /// Sums over flips, for K′ ≤ K/2: the same functions after Jacobi's imaginary transformation, in the **other** nome
 /// P = e^(−πK/2K′) ≤ 0.044. `[DLMF]` 20.7(viii).
@@ -23,36 +25,33 @@ pub struct FlipSum {
     ratio_at_zero: DoubleDouble,
 }
 
-/// Terms of the constants, in double-double: P^(n(n+1)) is below 1e-40 at n = 5.
-const EXACT_TERMS: u32 = 6;
-
 impl FlipSum {
-    /// From 1/T = K/2K′ (at least 1) and κ, between −½ and ½.
+    /// From P = e^(−π/T), 1/T = K/2K′ (at least 1), and κ, between −½ and ½.
     #[must_use]
-    pub fn new(inverse_width: DoubleDouble, kappa: DoubleDouble) -> Self {
-        let nome = (-(DoubleDouble::PI * inverse_width)).exp();
+    pub fn new(nome: DoubleDouble, inverse_width: DoubleDouble, kappa: DoubleDouble) -> Self {
         let (sin, cos) = (DoubleDouble::PI * kappa).scale(0.5).sin_cos();
-        let (sin_twice, cos_twice) = ((sin * cos).scale(2.0), (cos + sin) * (cos - sin));
-        let (mut s, mut c) = (sin, cos);
-        let (mut power, mut step) = (DoubleDouble::ONE, nome.square());
-        let (mut theta_4, mut slope, mut theta_1) = (DoubleDouble::ZERO, DoubleDouble::ZERO, DoubleDouble::ZERO);
-        let mut directions = [[0.0; 2]; 4];
-        for n in 0..EXACT_TERMS {
-            if let Some(direction) = directions.get_mut(n as usize) {
-                *direction = [c.hi(), s.hi()];
-            }
-            theta_4 += c * power;
-            slope += s * power * f64::from(2 * n + 1);
-            theta_1 += if n % 2 == 0 { s * power } else { -(s * power) };
-            (c, s) = (c * cos_twice - s * sin_twice, s * cos_twice + c * sin_twice);
-            power = power * step;
-            step = step * nome.square();
+        let [sin_twice, cos_twice] = [(sin * cos).scale(2.0), (cos + sin) * (cos - sin)];
+        // (cos, sin) (n + ½)κπ. P^(n(n+1)) bounds the terms: at n = 4 f64 holds what counts of them.
+        let mut directions = [[cos, sin]; 5];
+        for n in 1..5 {
+            let [c, s] = directions[n - 1];
+            directions[n] = [c * cos_twice - s * sin_twice, s * cos_twice + c * sin_twice];
         }
+        let nome_2 = nome.square();
+        let nome_6 = nome_2.square() * nome_2;
+        let times = |n: usize, power: DoubleDouble| directions[n].map(|part| part * power);
+        let ([c1, s1], [c2, s2], [c3, s3]) = (times(1, nome_2), times(2, nome_6), times(3, nome_6.square()));
+        let (p2, p6) = (nome_2.hi(), nome_6.hi());
+        let [c4, s4] = directions[4].map(|part| part.hi() * (p6 * p6 * p6 * p2));
+        let [d0, d1, d2, d3, _] = directions.map(|direction| direction.map(DoubleDouble::hi));
+        let theta_4 = (c3 + c4.into()) + c2 + c1 + cos;
+        let theta_1 = (DoubleDouble::from(s4) - s3) + s2 - s1 + sin;
+        let slope = (s3 * 7.0 + (9.0 * s4).into()) + s2 * 5.0 + s1 * 3.0 + sin;
         let mut sum = Self {
             decay: (DoubleDouble::PI * inverse_width).scale(-4.0).hi(),
             nome: nome.hi(),
             kappa: kappa.hi(),
-            directions,
+            directions: [d0, d1, d2, d3],
             factors: [1.0; 3],
             log_derivative: kappa - inverse_width * (slope / theta_4),
             ratio_at_zero: theta_4 / theta_1.abs(),
@@ -90,49 +89,17 @@ pub struct Flip {
     half: f64,
 }
 
-/// eˣ for x ≤ 0, at least e^(−700): without branches, so that the loops over samples become vector code.
-#[inline]
-pub(super) fn exp_of_negative(x: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0; // 1.5 × 2⁵²: adding it leaves the nearest integer in the low bits
-    const LN_2_HI: f64 = 0.693_147_180_369_123_8; // 33 bits, so that k times it is exact
-    const LN_2_LO: f64 = 1.908_214_929_270_587_7e-10;
-    let x = x.max(-700.0);
-    let shifted = x * std::f64::consts::LOG2_E + MAGIC;
-    let k = shifted - MAGIC;
-    let r = (x - k * LN_2_HI) - k * LN_2_LO;
-    let rest = INVERSE_FACTORIALS.iter().rev().fold(0.0, |sum, coefficient| sum * r + coefficient);
-    let power = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
-    power + power * (r + r * r * rest)
-}
-
-/// 1/n!, n = 2 to 13.
-#[allow(clippy::unreadable_literal, reason = "digits are compared whole, not in groups")]
-const INVERSE_FACTORIALS: [f64; 12] = [
-    0.5,
-    0.16666666666666666,
-    0.041666666666666664,
-    0.008333333333333333,
-    0.001388888888888889,
-    0.0001984126984126984,
-    2.48015873015873e-5,
-    2.7557319223985893e-6,
-    2.755731922398589e-7,
-    2.505210838544172e-8,
-    2.08767569878681e-9,
-    1.6059043836821613e-10,
-];
-
 impl Theta for FlipSum {
     type Place = Flip;
 
-    #[inline]
+    #[inline(always)]
     fn place(&self, v: Turn) -> Flip {
         let (taken, v) = v.without_half_turn();
         let x = exp_of_negative(self.decay * v.abs());
         Flip { x, y: (self.nome / x).min(1.0), v, side: v.signum(), half: if taken { -1.0 } else { 1.0 } }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobi(&self, Flip { x, y, side, half, .. }: Flip) -> [f64; 3] {
         let p = self.nome;
         let (p2, x2, y2) = (p * p, x * x, y * y);
@@ -153,7 +120,7 @@ impl Theta for FlipSum {
         ]
     }
 
-    #[inline]
+    #[inline(always)]
     fn pair(&self, Flip { x, y, v, side, half }: Flip) -> ThetaPair {
         let p = self.nome;
         let (p2, x2) = (p * p, x * x);

@@ -1,6 +1,7 @@
-use super::flips::exp_of_negative;
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
 use super::{ShiftedPair, TwoShifts};
-use crate::numerics::{DoubleDouble, Turn};
+use crate::numerics::{DoubleDouble, Turn, exp_of_negative};
 
 /// Sums of Gaussians, for K′ ≤ K: the same functions in the **other** nome p = e^(−πK/K′) ≤ 0.044. `[DLMF]` 20.7(viii).
 ///
@@ -53,10 +54,9 @@ fn constants(nome: DoubleDouble, kappa: DoubleDouble, inverse_width: DoubleDoubl
 }
 
 impl ShiftedFlips {
-    /// From 1/T = K/K′ (at least 1) and both κ, between −1 and 1.
+    /// From p = e^(−π/T), 1/T = K/K′ (at least 1), and both κ, between −1 and 1.
     #[must_use]
-    pub fn new(inverse_width: DoubleDouble, kappas: [DoubleDouble; 2]) -> Self {
-        let nome = (-(DoubleDouble::PI * inverse_width)).exp();
+    pub fn new(nome: DoubleDouble, inverse_width: DoubleDouble, kappas: [DoubleDouble; 2]) -> Self {
         let (first_slope, first_size) = constants(nome, kappas[0], inverse_width);
         let (second_slope, second_size) = constants(nome, kappas[1], inverse_width);
         // θ₂/θ₃ at 0 in the other nome, without the p^(1/4) that the pair leaves out.
@@ -83,6 +83,12 @@ impl ShiftedFlips {
         }
     }
 
+    /// A slope in units of 2/T, with that of the phase κv which is still to be turned by.
+    #[inline(always)]
+    fn with_phase(&self, slope: [f64; 2], value: [f64; 2], kappa: f64) -> [f64; 2] {
+        [self.slope * slope[0] - kappa * value[1], self.slope * slope[1] + kappa * value[0]]
+    }
+
     /// d/ds ln θ₂(i s) at either shift.
     #[must_use]
     pub fn log_derivatives(&self) -> [DoubleDouble; 2] {
@@ -97,6 +103,7 @@ impl ShiftedFlips {
 }
 
 impl TwoShifts for ShiftedFlips {
+    #[inline(always)]
     fn pair(&self, v: Turn) -> ShiftedPair {
         let (taken, v) = v.without_half_turn();
         let (side, half) = (if v < 0.0 { -1.0 } else { 1.0 }, if taken { -1.0 } else { 1.0 });
@@ -132,21 +139,17 @@ impl TwoShifts for ShiftedFlips {
             second_slope = [second_slope[0] + (a - b) * cos, second_slope[1] - (a + b) * sin];
             (sign, order) = (-sign, order - 1.0);
         }
-        // The slopes so far are in units of 2/T; the phase κv, to be turned by, has its own.
-        let with_phase = |slope: [f64; 2], value: [f64; 2], kappa: f64| {
-            [self.slope * slope[0] - kappa * value[1], self.slope * slope[1] + kappa * value[0]]
-        };
-        let second = second.map(|part| root * part);
-        let second_slope = second_slope.map(|part| root * part);
+        let second = [root * second[0], root * second[1]];
+        let second_slope = [root * second_slope[0], root * second_slope[1]];
         // θ₁ is odd and θ₂ even in v − i s: for v < 0 both turn into conjugates, θ₁ with the other sign.
-        let first_slope = with_phase(first_slope, first, self.kappas[0]);
-        let second_slope = with_phase(second_slope, second, self.kappas[1]);
+        let first_slope = self.with_phase(first_slope, first, self.kappas[0]);
+        let second_slope = self.with_phase(second_slope, second, self.kappas[1]);
         ShiftedPair {
             first: [half * side * first[0], half * first[1]],
             first_slope: [half * first_slope[0], half * side * first_slope[1]],
             second: [half * second[0], half * side * second[1]],
             second_slope: [half * side * second_slope[0], half * second_slope[1]],
-            turns: self.kappas.map(|kappa| kappa * v),
+            turns: [self.kappas[0] * v, self.kappas[1] * v],
         }
     }
 }

@@ -1,6 +1,10 @@
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
+use crate::numerics::vectorised;
 use crate::propagation::States;
 
-/// A closed form, one time at a time. No branches that depend on `time`: the loops below are to become vector code.
+/// A closed form, one time at a time. No branches that depend on `time` and everything inlined: the loops below are to
+/// become vector code.
 pub trait Motion {
     /// The principal axis that each of the three rates belongs to.
     fn axes(&self) -> [usize; 3];
@@ -15,8 +19,26 @@ pub trait Motion {
 /// Samples worked on side by side.
 const LANES: usize = 8;
 
-/// Fills the columns of ω, as long as `times`.
-pub fn fill_rates<M: Motion>(motion: &M, times: &[f64], states: &mut States) {
+/// A quantity's values in all lanes.
+type Lanes = [f64; LANES];
+
+/// Fills the columns of ω, and those of the attitude where wanted: as long as `times`.
+pub fn fill_columns<M: Motion>(motion: &M, times: &[f64], wants_attitude: bool, states: &mut States) {
+    if wants_attitude {
+        vectorised(
+            #[inline(always)]
+            || fill_rates_and_attitude(motion, times, states),
+        );
+    } else {
+        vectorised(
+            #[inline(always)]
+            || fill_rates(motion, times, states),
+        );
+    }
+}
+
+#[inline(always)]
+fn fill_rates<M: Motion>(motion: &M, times: &[f64], states: &mut States) {
     let axes = motion.axes();
     for (block, times) in times.chunks(LANES).enumerate() {
         let mut rates = [[0.0; LANES]; 3];
@@ -25,12 +47,12 @@ pub fn fill_rates<M: Motion>(motion: &M, times: &[f64], states: &mut States) {
             let [a, b, c] = motion.rates(lanes[lane]);
             (rates[0][lane], rates[1][lane], rates[2][lane]) = (a, b, c);
         }
-        copy(&rates, block, times.len(), |k| axes[k], &mut states.angular_velocity);
+        copy(&rates, block, times.len(), axes, &mut states.angular_velocity);
     }
 }
 
-/// Fills the columns of ω and of the attitude, as long as `times`.
-pub fn fill_rates_and_attitude<M: Motion>(motion: &M, times: &[f64], states: &mut States) {
+#[inline(always)]
+fn fill_rates_and_attitude<M: Motion>(motion: &M, times: &[f64], states: &mut States) {
     let axes = motion.axes();
     for (block, times) in times.chunks(LANES).enumerate() {
         let (mut rates, mut attitude) = ([[0.0; LANES]; 3], [[0.0; LANES]; 4]);
@@ -40,27 +62,31 @@ pub fn fill_rates_and_attitude<M: Motion>(motion: &M, times: &[f64], states: &mu
             (rates[0][lane], rates[1][lane], rates[2][lane]) = (a, b, c);
             (attitude[0][lane], attitude[1][lane], attitude[2][lane], attitude[3][lane]) = (w, x, y, z);
         }
-        copy(&rates, block, times.len(), |k| axes[k], &mut states.angular_velocity);
-        copy(&attitude, block, times.len(), |k| k, &mut states.attitude);
+        copy(&rates, block, times.len(), axes, &mut states.angular_velocity);
+        copy(&attitude, block, times.len(), [0, 1, 2, 3], &mut states.attitude);
     }
 }
 
 /// A whole block of times; a short last one is filled up with zeros.
-fn padded(times: &[f64]) -> [f64; LANES] {
-    let mut lanes = [0.0; LANES];
-    lanes[..times.len()].copy_from_slice(times);
-    lanes
+#[inline(always)]
+fn padded(times: &[f64]) -> Lanes {
+    Lanes::try_from(times).unwrap_or_else(|_| {
+        let mut lanes = [0.0; LANES];
+        lanes[..times.len()].copy_from_slice(times);
+        lanes
+    })
 }
 
-fn copy<const N: usize>(
-    from: &[[f64; LANES]; N],
-    block: usize,
-    count: usize,
-    column: impl Fn(usize) -> usize,
-    to: &mut [Vec<f64>; N],
-) {
+#[inline(always)]
+fn copy<const N: usize>(from: &[Lanes; N], block: usize, count: usize, columns: [usize; N], to: &mut [Vec<f64>; N]) {
     let start = block * LANES;
-    for (k, values) in from.iter().enumerate() {
-        to[column(k)][start..start + count].copy_from_slice(&values[..count]);
+    for k in 0..N {
+        // A length known beforehand is a few vector moves; any other is a call.
+        let column = &mut to[columns[k]][start..start + count];
+        if let Ok(whole) = <&mut Lanes>::try_from(&mut *column) {
+            *whole = from[k];
+        } else {
+            column.copy_from_slice(&from[k][..count]);
+        }
     }
 }

@@ -1,5 +1,4 @@
 use super::ExactQuaternion;
-use crate::numerics::DoubleDouble;
 
 /// Principal axes named anew for the formulae: "primed" axes 1′, 2′, 3′, right-handed, along ± the body's.
 ///
@@ -34,7 +33,26 @@ impl Frame {
         [0, 1, 2].map(|k| (self.axis[k], self.sign[k]))
     }
 
-    /// The rotation that takes primed components to principal ones.
+    /// A quaternion of primed components in principal ones: its vector part turned.
+    pub fn in_principal(&self, ExactQuaternion(q): ExactQuaternion) -> ExactQuaternion {
+        let mut turned = q;
+        for (k, (axis, sign)) in self.destinations().into_iter().enumerate() {
+            turned[1 + axis] = q[1 + k].scale(sign);
+        }
+        ExactQuaternion(turned)
+    }
+
+    /// The products of `left` with 1, i, j and k of the primed axes.
+    pub fn times_units(&self, left: ExactQuaternion) -> [ExactQuaternion; 4] {
+        let products = left.times_units();
+        let along = |k: usize| {
+            let (axis, sign) = self.destinations()[k];
+            ExactQuaternion(products[1 + axis].0.map(|part| part.scale(sign)))
+        };
+        [left, along(0), along(1), along(2)]
+    }
+
+    /// The rotation that takes primed components to principal ones, of any length.
     pub fn principal_from_primed(&self) -> ExactQuaternion {
         let mut m = [[0.0; 3]; 3];
         for (k, (axis, sign)) in self.destinations().into_iter().enumerate() {
@@ -56,6 +74,6 @@ impl Frame {
         } else {
             rows[3]
         };
-        ExactQuaternion::normalised(best.map(DoubleDouble::from))
+        ExactQuaternion::along(best)
     }
 }

@@ -4,6 +4,6 @@ mod columns;
 mod frame;
 mod quaternion;
 
-pub use columns::{Motion, fill_rates, fill_rates_and_attitude};
+pub use columns::{Motion, fill_columns};
 pub use frame::Frame;
-pub use quaternion::{ExactQuaternion, unit};
+pub use quaternion::{ExactQuaternion, QuaternionMap};

@@ -1,4 +1,4 @@
-use nalgebra::{Matrix4, Vector4};
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
 use crate::numerics::DoubleDouble;
 
@@ -7,6 +7,17 @@ use crate::numerics::DoubleDouble;
 pub struct ExactQuaternion(pub [DoubleDouble; 4]);
 
 impl ExactQuaternion {
+    /// These components as they are: no unit length is needed where [`QuaternionMap::unit`] comes last.
+    pub fn along(wxyz: [f64; 4]) -> Self {
+        Self(wxyz.map(DoubleDouble::from))
+    }
+
+    /// Products with 1, i, j and k on the right.
+    pub fn times_units(self) -> [Self; 4] {
+        let Self([w, x, y, z]) = self;
+        [self, Self([-x, w, z, -y]), Self([-y, -z, w, x]), Self([-z, y, -x, w])]
+    }
+
     /// The unit quaternion along these components.
     pub fn normalised(components: [DoubleDouble; 4]) -> Self {
         let [w, x, y, z] = components;
@@ -18,39 +29,44 @@ impl ExactQuaternion {
     pub fn times(self, other: Self) -> Self {
         let (Self([a, b, c, d]), Self([w, x, y, z])) = (self, other);
         Self([
-            a * w - b * x - c * y - d * z,
-            a * x + b * w + c * z - d * y,
-            a * y - b * z + c * w + d * x,
-            a * z + b * y - c * x + d * w,
+            (a * w - b * x) - (c * y + d * z),
+            (a * x + b * w) + (c * z - d * y),
+            (a * y - b * z) + (c * w + d * x),
+            (a * z + b * y) - (c * x - d * w),
         ])
     }
 
-    /// The inverse of a unit quaternion.
+    /// The inverse of a unit quaternion, a positive multiple of the inverse of any other.
     pub fn conjugate(self) -> Self {
         let Self([w, x, y, z]) = self;
         Self([w, -x, -y, -z])
     }
-
-    /// The matrix that takes the components of p to those of `self` p `right`.
-    pub fn around(self, right: Self) -> Matrix4<f64> {
-        let mut matrix = Matrix4::zeros();
-        let [w, x, y, z] = self.0;
-        // Products of `self` with 1, i, j, k.
-        let images = [[w, x, y, z], [-x, w, z, -y], [-y, -z, w, x], [-z, y, -x, w]];
-        for (column, image) in images.into_iter().enumerate() {
-            let Self(image) = Self(image).times(right);
-            for row in 0..4 {
-                matrix[(row, column)] = image[row].hi();
-            }
-        }
-        matrix
-    }
 }
 
-/// w, x, y, z divided by their length: as near to unit as four f64 can be.
-#[inline]
-pub fn unit(q: Vector4<f64>) -> [f64; 4] {
-    let [w, x, y, z] = q.into();
-    let over_length = 1.0 / ((w * w + x * x) + (y * y + z * z)).sqrt();
-    [w * over_length, x * over_length, y * over_length, z * over_length]
+/// A linear map from N numbers to the components of a quaternion, as the images of the N units.
+#[derive(Debug, Clone, Copy)]
+pub struct QuaternionMap<const N: usize>([[f64; 4]; N]);
+
+impl<const N: usize> QuaternionMap<N> {
+    /// Everything to 0, for constants that are still being worked out.
+    pub const ZERO: Self = Self([[0.0; 4]; N]);
+
+    /// From the images, each rounded once.
+    pub fn new(images: [ExactQuaternion; N]) -> Self {
+        Self(images.map(|ExactQuaternion(image)| image.map(DoubleDouble::hi)))
+    }
+
+    /// The image's direction, w, x, y, z divided by their length: as near to unit as four f64 can be.
+    #[inline(always)]
+    pub fn unit(&self, of: [f64; N]) -> [f64; 4] {
+        let mut q = [0.0; 4];
+        for column in 0..N {
+            for row in 0..4 {
+                q[row] += self.0[column][row] * of[column];
+            }
+        }
+        let [w, x, y, z] = q;
+        let over_length = 1.0 / ((w * w + x * x) + (y * y + z * z)).sqrt();
+        [w * over_length, x * over_length, y * over_length, z * over_length]
+    }
 }

@@ -4,11 +4,11 @@ use super::symmetric::Symmetric;
 use super::tri_axial::{Nome, TriAxial};
 use super::uniform::Uniform;
 use crate::dynamics::Problem;
-use crate::numerics::{DoubleDouble, FlipSum, NomeSeries};
+use crate::numerics::{FlipSum, NomeSeries};
 use crate::propagation::ballistic::Ballistic;
 use crate::propagation::exact::ExactQuaternion;
 use crate::propagation::exact::Frame;
-use crate::propagation::exact::{Motion, fill_rates, fill_rates_and_attitude};
+use crate::propagation::exact::fill_columns;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
 /// The torque-free motion, exactly: any principal moments, any ω, any time, at the cost of one evaluation a sample.
@@ -61,7 +61,7 @@ impl FreeRotation {
         if moments.into_iter().any(|moment| moment < Self::MOMENT_RATIO * largest) {
             return refuse("the smallest principal moment must be at least 1e-24 of the largest");
         }
-        let attitude = ExactQuaternion::normalised(problem.initial.attitude.wxyz().map(DoubleDouble::from));
+        let attitude = ExactQuaternion::along(problem.initial.attitude.wxyz());
         Ok(Self {
             branch: Branch::new(moments, problem.initial.angular_velocity.in_body().into(), attitude),
             translation: problem.wants_translation.then(|| Ballistic::new(problem)),
@@ -70,14 +70,6 @@ impl FreeRotation {
             horizon: Self::LARGEST_ANGLE / problem.initial.angular_velocity.in_body().amax().max(1.0),
             evaluations: 0,
         })
-    }
-
-    fn fill_columns<M: Motion>(&self, motion: &M, times: &[f64], states: &mut States) {
-        if self.wants_attitude {
-            fill_rates_and_attitude(motion, times, states);
-        } else {
-            fill_rates(motion, times, states);
-        }
     }
 }
 
@@ -136,11 +128,11 @@ impl Propagator for FreeRotation {
         }
         states.reset(times.len(), self.wants_attitude, self.translation.is_some());
         match &self.branch {
-            Branch::Uniform(motion) => self.fill_columns(motion, times, states),
-            Branch::Symmetric(motion) => self.fill_columns(motion, times, states),
-            Branch::Series(motion) => self.fill_columns(motion, times, states),
-            Branch::Flips(motion) => self.fill_columns(motion, times, states),
-            Branch::Separatrix(motion) => self.fill_columns(motion, times, states),
+            Branch::Uniform(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::Symmetric(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::Series(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::Flips(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::Separatrix(motion) => fill_columns(motion, times, self.wants_attitude, states),
         }
         if let Some(translation) = &self.translation {
             translation.fill(times, states);

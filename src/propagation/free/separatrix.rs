@@ -1,9 +1,8 @@
-use nalgebra::{Matrix4, Vector4};
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
 use super::invariants::{Polhode, Start};
-use crate::numerics::{DoubleDouble, Phase, carlson_rf};
-use crate::propagation::exact::Motion;
-use crate::propagation::exact::unit;
+use crate::numerics::{DoubleDouble, Phase, carlson_rf, exp_of_negative};
+use crate::propagation::exact::{Motion, QuaternionMap};
 
 /// L² = 2E J₂ exactly: one flip, from the middle axis to the middle axis, for ever. sn → tanh, cn and dn → sech.
 ///
@@ -20,14 +19,14 @@ pub struct Separatrix {
     /// Sign of J₃ − J₁.
     sense: f64,
     rates: [(usize, f64); 3],
-    attitude_map: Matrix4<f64>,
+    attitude_map: QuaternionMap<4>,
 }
 
 impl Separatrix {
     /// From a start whose ω was multiplied by `scale`, a power of two.
     pub fn new(start: &Start, polhode: &Polhode, scale: f64) -> Self {
         let u0 = polhode.sn * carlson_rf(polhode.cn_squared, polhode.dn_squared, DoubleDouble::ONE);
-        let half_tangent = polhode.sine / (DoubleDouble::ONE + polhode.cosine) * polhode.sense;
+        let half_tangent = polhode.half_tangent * polhode.sense;
         let cos = (DoubleDouble::ONE + half_tangent.square()).sqrt().recip();
         let secular_rate = polhode.half_rate + (polhode.rate * half_tangent).scale(0.5);
         let rates = [0, 1, 2].map(|k| {
@@ -39,51 +38,59 @@ impl Separatrix {
             rate: polhode.rate.scale(1.0 / scale),
             secular: Phase {
                 start: DoubleDouble::ZERO,
-                rate: (secular_rate / DoubleDouble::PI.scale(2.0)).scale(1.0 / scale),
+                rate: (secular_rate * DoubleDouble::TURNS_PER_RADIAN).scale(1.0 / scale),
             },
             direction: [cos.hi(), (cos * half_tangent).hi()],
             sense: polhode.sense,
             rates,
-            attitude_map: Matrix4::zeros(),
+            attitude_map: QuaternionMap::ZERO,
         };
-        let [a_re, _, _, a_im] = this.pair(this.argument(0.0), 0.0).into();
-        this.attitude_map = start.attitude_map(start.momentum_frame_from_primed([a_re, a_im]));
+        let [a_re, _, _, a_im] = this.pair(this.place(0.0), 0.0);
+        let at_start = start.momentum_frame_from_primed(polhode.momentum_size, [a_re, a_im]);
+        this.attitude_map = start.attitude_map(at_start);
         this
     }
 
-    fn argument(&self, t: f64) -> f64 {
-        (self.u0 + self.rate * t).hi()
+    /// x = e^(−|u|) and the sign of u.
+    #[inline(always)]
+    fn place(&self, time: f64) -> [f64; 2] {
+        let u = (self.u0 + self.rate * time).hi();
+        [exp_of_negative(-u.abs()), if u < 0.0 { -1.0 } else { 1.0 }]
     }
 
     /// w, x, y, z of "momentum frame from primed axes", not normalised.
-    fn pair(&self, u: f64, t: f64) -> Vector4<f64> {
-        let x = libm::exp(-u.abs());
-        let ([cos, sin], side) = (self.direction, u.signum());
+    #[inline(always)]
+    fn pair(&self, [x, side]: [f64; 2], t: f64) -> [f64; 4] {
+        let [cos, sin] = self.direction;
         let (a_re, a_im) = ((1.0 + x) * cos, -side * (1.0 - x) * sin);
         let (b_re, b_im) = (self.sense * side * (1.0 - x) * cos, -self.sense * (1.0 + x) * sin);
         let (sin, cos) = self.secular.at(t).sin_cos();
-        Vector4::new(a_re * cos - a_im * sin, b_re * cos - b_im * sin, b_im * cos + b_re * sin, a_im * cos + a_re * sin)
+        [a_re * cos - a_im * sin, b_re * cos - b_im * sin, b_im * cos + b_re * sin, a_im * cos + a_re * sin]
     }
 
-    fn rates_at(&self, u: f64) -> [f64; 3] {
+    #[inline(always)]
+    fn rates_at(&self, [x, side]: [f64; 2]) -> [f64; 3] {
         let [(_, w10), (_, w20), (_, w30)] = self.rates;
-        let x = libm::exp(-u.abs());
-        let sech = 2.0 * x / (1.0 + x * x);
-        [w10 * sech, w20 * libm::tanh(u), w30 * sech]
+        let over_cosh = 1.0 / (1.0 + x * x);
+        let (sech, tanh) = (2.0 * x * over_cosh, side * ((1.0 - x) * (1.0 + x)) * over_cosh);
+        [w10 * sech, w20 * tanh, w30 * sech]
     }
 }
 
 impl Motion for Separatrix {
+    #[inline(always)]
     fn axes(&self) -> [usize; 3] {
-        self.rates.map(|(axis, _)| axis)
+        [self.rates[0].0, self.rates[1].0, self.rates[2].0]
     }
 
+    #[inline(always)]
     fn rates(&self, time: f64) -> [f64; 3] {
-        self.rates_at(self.argument(time))
+        self.rates_at(self.place(time))
     }
 
+    #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
-        let u = self.argument(time);
-        (self.rates_at(u), unit(self.attitude_map * self.pair(u, time)))
+        let at = self.place(time);
+        (self.rates_at(at), self.attitude_map.unit(self.pair(at, time)))
     }
 }

@@ -1,9 +1,10 @@
-use nalgebra::{Matrix4, Vector4};
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
 use super::invariants::{Polhode, Start};
-use crate::numerics::{DoubleDouble, FlipSum, NomeSeries, Phase, Theta, carlson_rf, complete_k};
-use crate::propagation::exact::Motion;
-use crate::propagation::exact::unit;
+use crate::numerics::{
+    DoubleDouble, FlipSum, NomeSeries, Phase, Theta, carlson_rf, complete_k, complete_k_of_nome, nome,
+};
+use crate::propagation::exact::{Motion, QuaternionMap};
 
 /// Three different moments, off the separatrix: ω by Jacobi's functions, the attitude by two theta functions.
 ///
@@ -20,7 +21,7 @@ pub struct TriAxial<T> {
     zeta: f64,
     /// w₁₀ cn, w₂₀ sn and w₃₀ dn: where they go, and their signed amplitudes, rad/s.
     rates: [(usize, f64); 3],
-    attitude_map: Matrix4<f64>,
+    attitude_map: QuaternionMap<4>,
 }
 
 /// By which nome.
@@ -32,45 +33,38 @@ pub enum Nome {
     Flips(TriAxial<FlipSum>),
 }
 
-/// The periods and phases of a polhode.
-struct Periods {
-    k: DoubleDouble,
-    k_prime: DoubleDouble,
-    /// u at the start, between −K and K.
-    u0: DoubleDouble,
-    /// σ with sn(σ, 1 − m) where L points, with the sign of J₃ − J₁.
-    shift: DoubleDouble,
-}
+/// k′ where K′ = K/2 and both nomes are e^(−π): 3 − 2√2.
+const MIDDLE: f64 = 0.171_572_875_253_809_9;
 
-impl Periods {
-    fn new(polhode: &Polhode) -> Self {
-        let Polhode { parameter: m, complement: m1, .. } = *polhode;
-        let u0 = polhode.sn * carlson_rf(polhode.cn_squared, polhode.dn_squared, DoubleDouble::ONE);
-        // s² = (1 − c²)/(1 − c² m₁), and what Carlson needs of it as products: 1 − s², 1 − m₁ s².
-        let (c2, s2) = (polhode.cosine.square(), polhode.sine.square());
-        let denominator = s2 + c2 * m;
-        let sine = (s2 / denominator).sqrt();
-        let integral = carlson_rf(c2 * m / denominator, m / denominator, DoubleDouble::ONE);
-        let shift = sine * integral * polhode.sense;
-        Self { k: complete_k(m1.sqrt()), k_prime: complete_k(m.sqrt()), u0, shift }
-    }
+/// σ, with the sign of J₃ − J₁.
+fn shift(polhode: &Polhode) -> DoubleDouble {
+    let [sine_squared, cosine_squared, delta_squared] = polhode.shift;
+    sine_squared.sqrt() * carlson_rf(cosine_squared, delta_squared, DoubleDouble::ONE) * polhode.sense
 }
 
 impl Nome {
     /// From a start whose ω was multiplied by `scale`, a power of two.
     pub fn new(start: &Start, polhode: &Polhode, scale: f64) -> Self {
-        let periods = Periods::new(polhode);
-        let Periods { k, k_prime, shift, .. } = periods;
-        // At K' = K/2 both nomes are e^(-π).
-        if k_prime.hi() > 0.5 * k.hi() {
-            let nome = (-(DoubleDouble::PI * k_prime / k).scale(2.0)).exp();
-            let theta = NomeSeries::new(nome, (DoubleDouble::PI * shift / k).scale(0.5));
+        let (one, half_pi) = (DoubleDouble::ONE, DoubleDouble::PI.scale(0.5));
+        let (m, k_prime_modulus) = (polhode.parameter, polhode.complement.sqrt());
+        if k_prime_modulus.hi() > MIDDLE {
+            // The squared nome is that of Landen's next modulus, k₁ = (1 − k′)/(1 + k′), and K = (1 + k₁) K₁.
+            let upper = one + k_prime_modulus;
+            let over_upper = upper.recip();
+            let k1 = m * over_upper.square();
+            let nome = nome(k1.square(), (k_prime_modulus.sqrt() * over_upper).scale(2.0));
+            let k = (complete_k_of_nome(nome) * over_upper).scale(2.0);
+            let theta = NomeSeries::new(nome, half_pi * shift(polhode) / k);
             let constants = (theta.log_derivative(), theta.ratio_at_zero());
-            Self::Series(TriAxial::new(start, polhode, &periods, scale, (theta, constants)))
+            Self::Series(TriAxial::new(start, polhode, k, scale, (theta, constants)))
         } else {
-            let theta = FlipSum::new((k / k_prime).scale(0.5), (shift / k_prime).scale(0.5));
+            let k = complete_k(k_prime_modulus);
+            let nome = nome(polhode.complement, m.sqrt());
+            let over_k_prime = complete_k_of_nome(nome).recip();
+            let theta =
+                FlipSum::new(nome.sqrt(), (k * over_k_prime).scale(0.5), (shift(polhode) * over_k_prime).scale(0.5));
             let constants = (theta.log_derivative(), theta.ratio_at_zero());
-            Self::Flips(TriAxial::new(start, polhode, &periods, scale, (theta, constants)))
+            Self::Flips(TriAxial::new(start, polhode, k, scale, (theta, constants)))
         }
     }
 }
@@ -79,39 +73,40 @@ impl<T: Theta> TriAxial<T> {
     fn new(
         start: &Start,
         polhode: &Polhode,
-        periods: &Periods,
+        k: DoubleDouble,
         scale: f64,
         (theta, (log_derivative, ratio_at_zero)): (T, (DoubleDouble, DoubleDouble)),
     ) -> Self {
-        // v = πu/2K, which is u/4K turns.
-        let turns_per_u = periods.k.scale(4.0).recip();
+        // v = πu/2K, which is u/4K turns, and u₀ between −K and K.
+        let turns_per_u = k.scale(4.0).recip();
         let argument_rate = polhode.rate * turns_per_u;
-        let argument = Phase { start: periods.u0 * turns_per_u, rate: argument_rate.scale(1.0 / scale) };
-        let secular_rate = polhode.half_rate / DoubleDouble::PI.scale(2.0) - argument_rate * log_derivative;
+        let u0 = polhode.sn * carlson_rf(polhode.cn_squared, polhode.dn_squared, DoubleDouble::ONE);
+        let argument = Phase { start: u0 * turns_per_u, rate: argument_rate.scale(1.0 / scale) };
+        let secular_rate = polhode.half_rate * DoubleDouble::TURNS_PER_RADIAN - argument_rate * log_derivative;
         let secular = Phase { start: DoubleDouble::ZERO, rate: secular_rate.scale(1.0 / scale) };
         // tan(θ/2) where L is nearest to 1', over |b/a| there.
-        let half_tangent = polhode.sine / (DoubleDouble::ONE + polhode.cosine);
-        let zeta = (half_tangent * ratio_at_zero).hi() * polhode.sense;
+        let zeta = (polhode.half_tangent * ratio_at_zero).hi() * polhode.sense;
         let rates = [0, 1, 2].map(|k| {
             let (axis, sign) = start.frame.destinations()[k];
             (axis, sign * polhode.amplitudes[k].hi() / scale)
         });
-        let mut this = Self { theta, argument, secular, zeta, rates, attitude_map: Matrix4::zeros() };
-        let [a_re, _, _, a_im] = this.pair(this.theta.place(this.argument.at(0.0)), 0.0).into();
-        this.attitude_map = start.attitude_map(start.momentum_frame_from_primed([a_re, a_im]));
+        let mut this = Self { theta, argument, secular, zeta, rates, attitude_map: QuaternionMap::ZERO };
+        let [a_re, _, _, a_im] = this.pair(this.theta.place(this.argument.at(0.0)), 0.0);
+        let at_start = start.momentum_frame_from_primed(polhode.momentum_size, [a_re, a_im]);
+        this.attitude_map = start.attitude_map(at_start);
         this
     }
 
     /// w, x, y, z of "momentum frame from primed axes" at a time, not normalised.
-    #[inline]
-    fn pair(&self, at: T::Place, t: f64) -> Vector4<f64> {
+    #[inline(always)]
+    fn pair(&self, at: T::Place, t: f64) -> [f64; 4] {
         let pair = self.theta.pair(at);
         let (sin, cos) = self.secular.at(t).plus(pair.turns).sin_cos();
-        let ([a_re, a_im], [b_re, b_im]) = (pair.a, pair.b.map(|part| self.zeta * part));
-        Vector4::new(a_re * cos - a_im * sin, b_re * cos - b_im * sin, b_im * cos + b_re * sin, a_im * cos + a_re * sin)
+        let ([a_re, a_im], [b_re, b_im]) = (pair.a, [self.zeta * pair.b[0], self.zeta * pair.b[1]]);
+        [a_re * cos - a_im * sin, b_re * cos - b_im * sin, b_im * cos + b_re * sin, a_im * cos + a_re * sin]
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates_at(&self, at: T::Place) -> [f64; 3] {
         let ([sn, cn, dn], [(_, w10), (_, w20), (_, w30)]) = (self.theta.jacobi(at), self.rates);
         [w10 * cn, w20 * sn, w30 * dn]
@@ -119,18 +114,19 @@ impl<T: Theta> TriAxial<T> {
 }
 
 impl<T: Theta> Motion for TriAxial<T> {
+    #[inline(always)]
     fn axes(&self) -> [usize; 3] {
-        self.rates.map(|(axis, _)| axis)
+        [self.rates[0].0, self.rates[1].0, self.rates[2].0]
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates(&self, time: f64) -> [f64; 3] {
         self.rates_at(self.theta.place(self.argument.at(time)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let at = self.theta.place(self.argument.at(time));
-        (self.rates_at(at), unit(self.attitude_map * self.pair(at, time)))
+        (self.rates_at(at), self.attitude_map.unit(self.pair(at, time)))
     }
 }

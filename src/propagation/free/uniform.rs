@@ -1,8 +1,7 @@
-use nalgebra::{Matrix4x2, Vector2};
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
 use crate::numerics::{DoubleDouble, Phase};
-use crate::propagation::exact::Motion;
-use crate::propagation::exact::{ExactQuaternion, unit};
+use crate::propagation::exact::{ExactQuaternion, Motion, QuaternionMap};
 
 /// Rotation about an axis that stays: rest, a body with three equal moments, a spin about one principal axis.
 #[derive(Debug, Clone, Copy)]
@@ -11,7 +10,7 @@ pub struct Uniform {
     /// Half the angle turned.
     half_angle: Phase,
     /// Attitude = this × (cos, sin) of the half-angle.
-    attitude_map: Matrix4x2<f64>,
+    attitude_map: QuaternionMap<2>,
 }
 
 impl Uniform {
@@ -21,12 +20,11 @@ impl Uniform {
         let size = (x.square() + y.square() + z.square()).sqrt();
         let axis = [x, y, z].map(|component| if size.is_zero() { size } else { component / size });
         let turned = attitude.times(ExactQuaternion([DoubleDouble::ZERO, axis[0], axis[1], axis[2]]));
-        let (ExactQuaternion(at_cos), ExactQuaternion(at_sin)) = (attitude, turned);
-        let rate = (size / DoubleDouble::PI.scale(4.0)).scale(1.0 / scale);
+        let rate = (size * DoubleDouble::TURNS_PER_RADIAN).scale(0.5 / scale);
         Self {
             omega,
             half_angle: Phase { start: DoubleDouble::ZERO, rate },
-            attitude_map: Matrix4x2::from_fn(|row, column| [at_cos, at_sin][column][row].hi()),
+            attitude_map: QuaternionMap::new([attitude, turned]),
         }
     }
 }
@@ -36,14 +34,14 @@ impl Motion for Uniform {
         [0, 1, 2]
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates(&self, _: f64) -> [f64; 3] {
         self.omega
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let (sin, cos) = self.half_angle.at(time).sin_cos();
-        (self.omega, unit(self.attitude_map * Vector2::new(cos, sin)))
+        (self.omega, self.attitude_map.unit([cos, sin]))
     }
 }

@@ -1,7 +1,9 @@
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
 use super::nutation::{Form, Nutation, even_rates, signed};
 use super::roots::Roots;
 use super::start::Start;
-use crate::numerics::{DoubleDouble, ShiftedPair};
+use crate::numerics::{DoubleDouble, ShiftedPair, carlson_rf, exp_of_negative};
 
 /// u₂ = u₃ = 1: down from upright and back to it, once and for ever. sn → tanh.
 ///
@@ -20,7 +22,7 @@ impl Homoclinic {
         let rate = (start.strength * roots.lower_gap).sqrt().scale(0.5);
         // artanh √(below/gap) = ½ ln ((1 + s)/(1 − s)); as an integral it is R_F with two equal arguments.
         let share = roots.above / roots.lower_gap;
-        let integral = crate::numerics::carlson_rf(share, share, DoubleDouble::ONE);
+        let integral = carlson_rf(share, share, DoubleDouble::ONE);
         let size = (roots.below / roots.lower_gap).sqrt() * integral;
         let cos = (roots.lower_gap / roots.from_bottom_2).sqrt();
         let sin = signed((roots.from_bottom_1 / roots.from_bottom_2).sqrt(), roots.sum);
@@ -34,10 +36,11 @@ impl Homoclinic {
 }
 
 impl Nutation for Homoclinic {
+    #[inline(always)]
     fn at(&self, time: f64) -> ShiftedPair {
         let u = (self.u0 + self.rate * time).hi();
         let side = if u < 0.0 { -1.0 } else { 1.0 };
-        let root = libm::exp(-u.abs());
+        let root = exp_of_negative(-u.abs());
         let x = root * root;
         let [cos, sin] = self.direction;
         ShiftedPair {

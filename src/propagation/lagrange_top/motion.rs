@@ -1,9 +1,9 @@
-use nalgebra::{Matrix4, Vector4};
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
 use super::nutation::{Form, Nutation};
 use super::start::{Start, conjugate, product, square};
 use crate::numerics::{DoubleDouble, Phase};
-use crate::propagation::exact::{ExactQuaternion, Motion, unit};
+use crate::propagation::exact::{ExactQuaternion, Motion, QuaternionMap};
 
 /// A nutation, turned evenly about the vertical and about the axis, in the world and the axes it was asked for.
 #[derive(Debug, Clone, Copy)]
@@ -21,17 +21,22 @@ pub struct TopMotion<N> {
     along: f64,
     axes: [usize; 3],
     signs: [f64; 3],
-    attitude_map: Matrix4<f64>,
+    attitude_map: QuaternionMap<4>,
 }
 
 /// Complex product.
-#[inline]
+#[inline(always)]
 fn times([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
     [a * c - b * d, a * d + b * c]
 }
 
+#[inline(always)]
+fn scaled(factor: f64, [a, b]: [f64; 2]) -> [f64; 2] {
+    [factor * a, factor * b]
+}
+
 /// x* y.
-#[inline]
+#[inline(always)]
 fn conjugate_times([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
     [a * c + b * d, a * d - b * c]
 }
@@ -72,11 +77,12 @@ impl Model {
 
 impl<N: Nutation> TopMotion<N> {
     pub fn new(start: &Start, form: Form<N>) -> Self {
-        let turns = DoubleDouble::PI.scale(2.0).recip();
         let destinations = start.frame.destinations();
         let mut this = Self {
             nutation: form.nutation,
-            phases: form.rates.map(|rate| Phase { start: DoubleDouble::ZERO, rate: rate * turns }),
+            phases: form
+                .rates
+                .map(|rate| Phase { start: DoubleDouble::ZERO, rate: rate * DoubleDouble::TURNS_PER_RADIAN }),
             zeta: form.zeta.hi(),
             slope_rate: form.slope_rate.hi(),
             rate_sum: (form.rates[0] + form.rates[1]).hi(),
@@ -84,7 +90,7 @@ impl<N: Nutation> TopMotion<N> {
             along: start.along.hi(),
             axes: destinations.map(|(axis, _)| axis),
             signs: destinations.map(|(_, sign)| sign),
-            attitude_map: Matrix4::identity(),
+            attitude_map: QuaternionMap::ZERO,
         };
         let (model, rates) = (this.model(0.0), start.pair_rates());
         let even = form.rates.map(DoubleDouble::hi);
@@ -94,44 +100,49 @@ impl<N: Nutation> TopMotion<N> {
             turn_between([start.pair[k], rates[k]], [model.pair[k], model_rates[k]], per_second)
         });
         this.rates_turn = product(conjugate(turn[0]), turn[1]).map(DoubleDouble::hi);
-        let [[a_re, a_im], [b_re, b_im]] = turn;
-        let zero = DoubleDouble::ZERO;
-        let images =
-            [[a_re, zero, zero, a_im], [zero, b_re, b_im, zero], [zero, -b_im, b_re, zero], [-a_im, zero, zero, a_re]];
+        // With P = "primed from principal" the attitude is world from upright, times q, times P: of any length, times P,
+        // times q in principal axes.
         let primed_from_principal = start.frame.principal_from_primed().conjugate();
-        for (column, image) in images.into_iter().enumerate() {
-            let ExactQuaternion(image) =
-                start.world_from_upright.times(ExactQuaternion(image)).times(primed_from_principal);
-            for row in 0..4 {
-                this.attitude_map[(row, column)] = image[row].hi();
-            }
-        }
+        let world_from_principal = start.world_from_upright.times(primed_from_principal);
+        let [one, i, j, k] = start.frame.times_units(world_from_principal);
+        // a + b times the complex number `turn`.
+        let turned =
+            |ExactQuaternion(a): ExactQuaternion, ExactQuaternion(b): ExactQuaternion, turn: [DoubleDouble; 2]| {
+                ExactQuaternion([0, 1, 2, 3].map(|row| a[row] * turn[0] + b[row] * turn[1]))
+            };
+        let images = [
+            turned(one, k, turn[0]),
+            turned(i, j, turn[1]),
+            turned(j, i, conjugate(turn[1])),
+            turned(k, one, conjugate(turn[0])),
+        ];
+        this.attitude_map = QuaternionMap::new(images);
         this
     }
 
-    #[inline]
+    #[inline(always)]
     fn model(&self, time: f64) -> Model {
         let pair = self.nutation.at(time);
         let (first_sin, first_cos) = self.phases[0].at(time).plus(pair.turns[0]).sin_cos();
         let (second_sin, second_cos) = self.phases[1].at(time).plus(pair.turns[1]).sin_cos();
         let (first, second) = ([first_cos, first_sin], [second_cos, second_sin]);
         Model {
-            pair: [times(first, pair.first), times(second, pair.second.map(|part| self.zeta * part))],
+            pair: [times(first, pair.first), times(second, scaled(self.zeta, pair.second))],
             slopes: [
-                times(first, pair.first_slope.map(|part| self.slope_rate * part)),
-                times(second, pair.second_slope.map(|part| self.slope_rate * self.zeta * part)),
+                times(first, scaled(self.slope_rate, pair.first_slope)),
+                times(second, scaled(self.slope_rate * self.zeta, pair.second_slope)),
             ],
         }
     }
 
     /// ω₁ + iω₂ = 2 (A* B′ − B A′*)/(|A|² + |B|²).
-    #[inline]
+    #[inline(always)]
     fn rates_of(&self, Model { pair: [a, b], slopes: [a_slope, b_slope] }: &Model) -> [f64; 3] {
         let over_size = 2.0 / ((a[0] * a[0] + a[1] * a[1]) + (b[0] * b[0] + b[1] * b[1]));
         let ([re, im], [b_re, b_im]) = (conjugate_times(*a, *b), conjugate_times(*a, *b_slope));
         let [a_re, a_im] = conjugate_times(*a_slope, *b);
         let across = [b_re - a_re - self.rate_sum * im, b_im - a_im + self.rate_sum * re];
-        let [w1, w2] = times(self.rates_turn, across.map(|part| over_size * part));
+        let [w1, w2] = times(self.rates_turn, scaled(over_size, across));
         [self.signs[0] * w1, self.signs[1] * w2, self.signs[2] * self.along]
     }
 }
@@ -141,15 +152,15 @@ impl<N: Nutation> Motion for TopMotion<N> {
         self.axes
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates(&self, time: f64) -> [f64; 3] {
         self.rates_of(&self.model(time))
     }
 
-    #[inline]
+    #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let model = self.model(time);
         let [[w, z], [x, y]] = model.pair;
-        (self.rates_of(&model), unit(self.attitude_map * Vector4::new(w, x, y, z)))
+        (self.rates_of(&model), self.attitude_map.unit([w, x, y, z]))
     }
 }

@@ -1,7 +1,10 @@
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
 use super::roots::Roots;
 use super::start::Start;
 use crate::numerics::{
     DoubleDouble, Phase, ShiftedFlips, ShiftedPair, ShiftedSeries, TwoShifts, carlson_rf, complete_k,
+    complete_k_of_nome, nome,
 };
 
 /// A and B at a time, up to a common positive factor, before they are turned evenly.
@@ -31,7 +34,7 @@ pub struct Periodic<T> {
 }
 
 impl<T: TwoShifts> Nutation for Periodic<T> {
-    #[inline]
+    #[inline(always)]
     fn at(&self, time: f64) -> ShiftedPair {
         self.theta.pair(self.argument.at(time))
     }
@@ -63,14 +66,22 @@ impl Nome {
     pub fn new(start: &Start, roots: &Roots) -> Self {
         let Roots { lower_gap, upper_gap, from_top_1, from_top_2, from_bottom_1, from_bottom_2, .. } = *roots;
         let span = lower_gap + upper_gap;
-        let (k, k_prime) = (complete_k((upper_gap / span).sqrt()), complete_k((lower_gap / span).sqrt()));
-        let one = DoubleDouble::ONE;
+        let (one, over_span) = (DoubleDouble::ONE, span.recip());
+        let (parameter, complement) = (lower_gap * over_span, upper_gap * over_span);
+        // K′ > K where m < ½: the smaller nome it is.
+        let in_nome = complement > parameter;
+        let (nome, k) = if in_nome {
+            let nome = nome(parameter, complement.sqrt());
+            (nome, complete_k_of_nome(nome))
+        } else {
+            (nome(complement, parameter.sqrt()), complete_k(complement.sqrt()))
+        };
         // u = u₁ + (u₂ − u₁) sn².
         let u0 = (roots.below / lower_gap).sqrt()
-            * carlson_rf(roots.above / lower_gap, (upper_gap + roots.above) / span, one);
+            * carlson_rf(roots.above / lower_gap, (upper_gap + roots.above) * over_span, one);
         // 1 + u is 0 where sn = i sc(σ₁, 1 − m), and 1 − u where sn = 1/dn(σ₂, 1 − m).
         let first = (from_bottom_1 / from_bottom_2).sqrt()
-            * carlson_rf(lower_gap / from_bottom_2, lower_gap * roots.from_bottom_3 / (span * from_bottom_2), one);
+            * carlson_rf(lower_gap / from_bottom_2, parameter * roots.from_bottom_3 / from_bottom_2, one);
         let denominator = from_top_1 * upper_gap;
         let second = (from_top_2 * span / denominator).sqrt()
             * carlson_rf(lower_gap * roots.over_top / denominator, lower_gap / from_top_1, one);
@@ -78,13 +89,13 @@ impl Nome {
         let rate = (start.strength * span).sqrt().scale(0.5);
         let turns_per_u = k.scale(4.0).recip();
         let argument = Phase { start: signed(u0, start.slope()) * turns_per_u, rate: rate * turns_per_u };
-        let slope_rate = DoubleDouble::PI * rate / k.scale(2.0);
+        let slope_rate = DoubleDouble::PI.scale(2.0) * argument.rate;
         let size = (from_top_1 / from_bottom_2).sqrt();
         let even = even_rates(start, roots);
         let less = |[a, b]: [DoubleDouble; 2]| [even[0] - slope_rate * a, even[1] - slope_rate * b];
-        if k_prime > k {
-            let nome = (-(DoubleDouble::PI * k_prime / k)).exp();
-            let theta = ShiftedSeries::new(nome, shifts.map(|shift| (DoubleDouble::PI * shift / k).scale(0.5)));
+        if in_nome {
+            let per_argument = DoubleDouble::PI.scale(2.0) * turns_per_u;
+            let theta = ShiftedSeries::new(nome, shifts.map(|shift| shift * per_argument));
             return Self::Series(Form {
                 nutation: Periodic { theta, argument },
                 rates: less(theta.log_derivatives()),
@@ -92,7 +103,8 @@ impl Nome {
                 slope_rate,
             });
         }
-        let theta = ShiftedFlips::new(k / k_prime, shifts.map(|shift| shift / k_prime));
+        let over_k_prime = complete_k_of_nome(nome).recip();
+        let theta = ShiftedFlips::new(nome, k * over_k_prime, shifts.map(|shift| shift * over_k_prime));
         Self::Flips(Form {
             nutation: Periodic { theta, argument },
             rates: less(theta.log_derivatives()),

@@ -6,7 +6,7 @@ use crate::propagation::exact::{ExactQuaternion, Frame};
 #[derive(Debug, Clone, Copy)]
 pub struct Start {
     pub frame: Frame,
-    /// World from a frame whose third axis is up.
+    /// World from a frame whose third axis is up, of any length.
     pub world_from_upright: ExactQuaternion,
     /// A = w + iz and B = x + iy of "upright frame from primed axes".
     pub pair: [[DoubleDouble; 2]; 2],
@@ -37,17 +37,15 @@ pub fn square([a, b]: [DoubleDouble; 2]) -> DoubleDouble {
     a.square() + b.square()
 }
 
-/// The rotation that takes this world vector, which must not be zero, to the third axis.
-fn upright_from_world(up: [DoubleDouble; 3]) -> ExactQuaternion {
-    let (zero, one) = (DoubleDouble::ZERO, DoubleDouble::ONE);
-    let size = (up[0].square() + up[1].square() + up[2].square()).sqrt();
-    let [x, y, z] = up.map(|part| part / size);
+/// The rotation, of any length, that takes this world vector of some size, which must not be 0, to the third axis.
+fn upright_from_world(up: [DoubleDouble; 3], size: DoubleDouble) -> ExactQuaternion {
+    let zero = DoubleDouble::ZERO;
+    let [x, y, z] = up;
     if z.hi() < 0.0 {
         // Half a turn about x first, so that nothing cancels.
-        let swing = ExactQuaternion::normalised([one - z, -y, -x, zero]);
-        return swing.times(ExactQuaternion([zero, one, zero, zero]));
+        return ExactQuaternion([y, size - z, zero, x]);
     }
-    ExactQuaternion::normalised([one + z, y, -x, zero])
+    ExactQuaternion([size + z, y, -x, zero])
 }
 
 impl Start {
@@ -63,11 +61,13 @@ impl Start {
         let mut sides = [1.0; 3];
         sides[axis] = arm;
         let frame = Frame::new([others[0], others[1], axis], sides);
-        let upright = upright_from_world(force.map(|part| DoubleDouble::from(-part)));
-        let ExactQuaternion([w, x, y, z]) = upright.times(attitude).times(frame.principal_from_primed());
+        let [f1, f2, f3] = force.map(|part| DoubleDouble::product(part, part));
+        let weight = (f1 + f2 + f3).sqrt();
+        let upright = upright_from_world(force.map(|part| DoubleDouble::from(-part)), weight);
+        let from_primed = upright.times(attitude).times(frame.principal_from_primed());
+        let ExactQuaternion([w, x, y, z]) = ExactQuaternion::normalised(from_primed.0);
         let [w1, w2, w3] = frame.vector(omega).map(DoubleDouble::from);
         let (transverse, axial) = (moments[others[0]], moments[axis]);
-        let [f1, f2, f3] = force.map(|part| DoubleDouble::from(part).square());
         Self {
             frame,
             world_from_upright: upright.conjugate(),
@@ -76,7 +76,7 @@ impl Start {
             along: w3,
             spin: w3 * axial / transverse.into(),
             half_excess: (DoubleDouble::sum(transverse, -axial) / transverse.into() * w3).scale(0.5),
-            strength: ((f1 + f2 + f3).sqrt() * arm.abs()).scale(2.0) / transverse.into(),
+            strength: (weight * arm.abs()).scale(2.0) / transverse.into(),
         }
     }
 

@@ -1,3 +1,5 @@
+#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
+
 use super::nutation::{Form, Nutation};
 use super::start::{Start, square};
 use crate::numerics::{DoubleDouble, ShiftedPair};
@@ -28,8 +30,9 @@ impl Steady {
 }
 
 impl Nutation for Steady {
+    #[inline(always)]
     fn at(&self, _: f64) -> ShiftedPair {
-        let [first, second] = self.sizes.map(|size| [size, 0.0]);
+        let (first, second) = ([self.sizes[0], 0.0], [self.sizes[1], 0.0]);
         ShiftedPair { first, first_slope: [0.0; 2], second, second_slope: [0.0; 2], turns: [0.0; 2] }
     }
 }

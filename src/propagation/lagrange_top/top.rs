@@ -5,8 +5,8 @@ use super::roots::Roots;
 use super::start::Start;
 use super::steady::Steady;
 use crate::dynamics::{Load, Problem, Torque};
-use crate::numerics::{DoubleDouble, ShiftedFlips, ShiftedSeries};
-use crate::propagation::exact::{ExactQuaternion, Motion, fill_rates, fill_rates_and_attitude};
+use crate::numerics::{ShiftedFlips, ShiftedSeries};
+use crate::propagation::exact::{ExactQuaternion, Motion, fill_columns};
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, FreeRotation, PropagationError, Propagator, States};
 
@@ -73,7 +73,7 @@ impl LagrangeTop {
         let (force, axis, arm) = weight(problem).ok_or_else(|| {
             refuse("it needs one force constant in the world on a principal axis, equal moments about the others")
         })?;
-        let attitude = ExactQuaternion::normalised(problem.initial.attitude.wxyz().map(DoubleDouble::from));
+        let attitude = ExactQuaternion::along(problem.initial.attitude.wxyz());
         let omega = problem.initial.angular_velocity.in_body().into();
         let start = Start::new(problem.moments.vector().into(), omega, attitude, force, (axis, arm));
         let branch = Branch::new(&start);
@@ -83,14 +83,6 @@ impl LagrangeTop {
         let fastest = problem.initial.angular_velocity.in_body().amax() + start.strength.hi().sqrt();
         let horizon = FreeRotation::LARGEST_ANGLE / fastest.max(1.0);
         Ok(Self { branch, wants_attitude: problem.wants_attitude, last_time: 0.0, horizon, evaluations: 0 })
-    }
-
-    fn fill_columns<M: Motion>(&self, motion: &M, times: &[f64], states: &mut States) {
-        if self.wants_attitude {
-            fill_rates_and_attitude(motion, times, states);
-        } else {
-            fill_rates(motion, times, states);
-        }
     }
 }
 
@@ -129,10 +121,10 @@ impl Propagator for LagrangeTop {
         self.last_time = times.last().copied().unwrap_or(self.last_time);
         states.reset(times.len(), self.wants_attitude, false);
         match &self.branch {
-            Branch::Steady(motion) => self.fill_columns(motion, times, states),
-            Branch::Series(motion) => self.fill_columns(motion, times, states),
-            Branch::Flips(motion) => self.fill_columns(motion, times, states),
-            Branch::Homoclinic(motion) => self.fill_columns(motion, times, states),
+            Branch::Steady(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::Series(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::Flips(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::Homoclinic(motion) => fill_columns(motion, times, self.wants_attitude, states),
         }
         self.evaluations += times.len() as u64;
         Ok(())
