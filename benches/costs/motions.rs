@@ -5,7 +5,7 @@ use divan::counter::ItemsCount;
 use nalgebra::Vector3;
 use polhode::body::{AngularVelocity, Attitude, PrincipalMoments, State};
 use polhode::dynamics::{Load, Problem, Torque, Window};
-use polhode::propagation::{FreeRotation, Propagator, States, Taylor};
+use polhode::propagation::{FreeRotation, LagrangeTop, Propagator, States, Taylor};
 
 /// Samples in a batch.
 pub const COUNT: usize = 4096;
@@ -38,9 +38,10 @@ pub fn times() -> Vec<f64> {
 }
 
 /// One per branch of the closed form.
-const BRANCHES: [(&str, [f64; 3], [f64; 3]); 5] = [
+const BRANCHES: [(&str, [f64; 3], [f64; 3]); 6] = [
     ("tri-axial", [1.0, 2.0, 3.0], [1.0, 2.0, 1.5]),
     ("near separatrix", [1.0, 2.0, 3.0], [1e-3, 5.0, 1e-3]),
+    ("separatrix", [3.0, 4.0, 6.0], [2.0, 1.0, 1.0]),
     ("symmetric", [1.0, 1.0, 1.5], [1.0, 2.0, 1.5]),
     ("spherical", [2.0, 2.0, 2.0], [1.0, 2.0, 1.5]),
     ("principal axis", [1.0, 2.0, 3.0], [0.0, 0.0, 5.0]),
@@ -74,6 +75,30 @@ pub fn fill(bencher: Bencher, problem: &Problem) {
     let (times, mut states) = (times(), States::default());
     let fresh = || FreeRotation::new(problem).expect("it is free");
     let run = |mut rotation: FreeRotation| rotation.fill(&times, &mut states).expect("times ascend");
+    bencher.counter(ItemsCount::new(COUNT)).with_inputs(fresh).bench_local_values(run);
+}
+
+/// Lagrange's top of the peers' bench.
+fn top() -> Problem {
+    let mut top = problem([1.0, 1.0, 0.5], [0.0, 0.0, 20.0]);
+    let half_tilt = 15_f64.to_radians();
+    top.initial.attitude = Attitude::new([half_tilt.cos(), half_tilt.sin(), 0.0, 0.0]).expect("not zero");
+    let torque = Torque::ForceWorld { force: Vector3::new(0.0, 0.0, -10.0), arm: Vector3::new(0.0, 0.0, 0.5) };
+    top.loads.push(Load { torque, window: Window::ALWAYS });
+    top
+}
+
+#[divan::bench]
+fn top_set_up(bencher: Bencher) {
+    let problem = top();
+    bencher.bench_local(|| LagrangeTop::new(&problem));
+}
+
+#[divan::bench]
+fn top_rates_and_attitude(bencher: Bencher) {
+    let (problem, times, mut states) = (top(), times(), States::default());
+    let fresh = || LagrangeTop::new(&problem).expect("it is a top");
+    let run = |mut top: LagrangeTop| top.fill(&times, &mut states).expect("times ascend");
     bencher.counter(ItemsCount::new(COUNT)).with_inputs(fresh).bench_local_values(run);
 }
 

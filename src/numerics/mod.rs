@@ -18,5 +18,8 @@ pub use elementary::exp_of_negative;
 pub use elliptic::{carlson_rf, complete_k, complete_k_of_nome, nome};
 pub use four::{Four, Kernel, in_registers};
 pub use lanes::vectorised;
-pub use theta::{FlipSum, NomeSeries, ShiftedFlips, ShiftedPair, ShiftedSeries, Theta, ThetaPair, TwoShifts};
+pub use theta::{
+    FlipSum, Jacobi, JacobiFlips, JacobiSeries, NomeSeries, ShiftedFlips, ShiftedPair, ShiftedSeries, Theta, ThetaPair,
+    TwoShifts,
+};
 pub use turn::{Phase, Turn};

@@ -1,6 +1,6 @@
 #![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
-use super::exact::{ExactQuaternion, Motion, QuaternionMap, fill_columns};
+use super::exact::{ExactQuaternion, Motion, QuaternionMap, Rates, fill_columns};
 use super::sampling::check_times;
 use super::{Ballistic, Effort, FreeRotation, PropagationError, Propagator, States};
 use crate::dynamics::{Load, Problem, Torque};
@@ -124,7 +124,7 @@ impl Axial {
     }
 }
 
-impl Motion for Axial {
+impl Rates for Axial {
     fn axes(&self) -> [usize; 3] {
         self.axes
     }
@@ -136,7 +136,9 @@ impl Motion for Axial {
         let spin = (self.acceleration * time + spin.into()).hi();
         [spin, w1 * cos - w2 * sin, w2 * cos + w1 * sin]
     }
+}
 
+impl Motion for Axial {
     #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let (sin, cos) = self.half_angle.sin_cos(time);

@@ -1,7 +1,8 @@
 //! Double-double and the functions built on it, against digits from mpmath (60 figures) and from `[Carlson95]`.
 
 use polhode::numerics::{
-    Compensated, DoubleDouble, FlipSum, NomeSeries, Phase, Theta, carlson_rf, complete_k, so3, two_prod, two_sum,
+    Compensated, DoubleDouble, FlipSum, Jacobi, NomeSeries, Phase, Theta, carlson_rf, complete_k, so3, two_prod,
+    two_sum,
 };
 
 use crate::reference::decimal;

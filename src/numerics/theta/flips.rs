@@ -1,6 +1,6 @@
 #![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
-use super::{Theta, ThetaPair};
+use super::{Jacobi, Theta, ThetaPair};
 use crate::numerics::{DoubleDouble, Turn, exp_of_negative};
 
 /// Sums over flips, for K′ ≤ K/2: the same functions after Jacobi's imaginary transformation, in the **other** nome
@@ -11,16 +11,11 @@ use crate::numerics::{DoubleDouble, Turn, exp_of_negative};
 /// the separatrix two of them are left. Nothing cancels, however near it is.
 #[derive(Debug, Clone, Copy)]
 pub struct FlipSum {
-    /// −4π/T: the exponent of x = e^(−2|v|/T) for v in turns.
-    decay: f64,
-    /// P.
-    nome: f64,
+    jacobi: JacobiFlips,
     /// κ: turns of phase per turn of v.
     kappa: f64,
     /// (cos, sin) (n + ½)κπ, n = 0 to 3.
     directions: [[f64; 2]; 4],
-    /// θ₃/θ₂, θ₄/θ₂, θ₄/θ₃ at 0.
-    factors: [f64; 3],
     log_derivative: DoubleDouble,
     ratio_at_zero: DoubleDouble,
 }
@@ -47,18 +42,13 @@ impl FlipSum {
         let theta_4 = (c3 + c4.into()) + c2 + c1 + cos;
         let theta_1 = (DoubleDouble::from(s4) - s3) + s2 - s1 + sin;
         let slope = (s3 * 7.0 + (9.0 * s4).into()) + s2 * 5.0 + s1 * 3.0 + sin;
-        let mut sum = Self {
-            decay: (DoubleDouble::PI * inverse_width).scale(-4.0).hi(),
-            nome: nome.hi(),
+        Self {
+            jacobi: JacobiFlips::new(nome, inverse_width),
             kappa: kappa.hi(),
             directions: [d0, d1, d2, d3],
-            factors: [1.0; 3],
             log_derivative: kappa - inverse_width * (slope / theta_4),
             ratio_at_zero: theta_4 / theta_1.abs(),
-        };
-        let [_, cn, dn] = sum.jacobi(Flip { x: 1.0, y: nome.hi(), v: 0.0, side: 1.0, half: 1.0 });
-        sum.factors = [dn / cn, 1.0 / cn, 1.0 / dn];
-        sum
+        }
     }
 
     /// d/ds ln θ₄(i s).
@@ -89,7 +79,30 @@ pub struct Flip {
     half: f64,
 }
 
-impl Theta for FlipSum {
+/// sn, cn, dn as quotients of sums over flips.
+#[derive(Debug, Clone, Copy)]
+pub struct JacobiFlips {
+    /// −4π/T: the exponent of x = e^(−2|v|/T) for v in turns.
+    decay: f64,
+    /// P.
+    nome: f64,
+    /// θ₃/θ₂, θ₄/θ₂, θ₄/θ₃ at 0.
+    factors: [f64; 3],
+}
+
+impl JacobiFlips {
+    /// From P = e^(−π/T) and 1/T = K/2K′ (at least 1).
+    #[must_use]
+    pub fn new(nome: DoubleDouble, inverse_width: DoubleDouble) -> Self {
+        let decay = (DoubleDouble::PI * inverse_width).scale(-4.0).hi();
+        let mut flips = Self { decay, nome: nome.hi(), factors: [1.0; 3] };
+        let [_, cn, dn] = flips.jacobi(Flip { x: 1.0, y: nome.hi(), v: 0.0, side: 1.0, half: 1.0 });
+        flips.factors = [dn / cn, 1.0 / cn, 1.0 / dn];
+        flips
+    }
+}
+
+impl Jacobi for JacobiFlips {
     type Place = Flip;
 
     #[inline(always)]
@@ -119,10 +132,26 @@ impl Theta for FlipSum {
             dn * (even + odd) * over_theta_4,
         ]
     }
+}
+
+impl Jacobi for FlipSum {
+    type Place = Flip;
 
     #[inline(always)]
+    fn place(&self, v: Turn) -> Flip {
+        self.jacobi.place(v)
+    }
+
+    #[inline(always)]
+    fn jacobi(&self, at: Flip) -> [f64; 3] {
+        self.jacobi.jacobi(at)
+    }
+}
+
+impl Theta for FlipSum {
+    #[inline(always)]
     fn pair(&self, Flip { x, y, v, side, half }: Flip) -> ThetaPair {
-        let p = self.nome;
+        let p = self.jacobi.nome;
         let (p2, x2) = (p * p, x * x);
         let p4 = p2 * p2;
         let p6 = p4 * p2;

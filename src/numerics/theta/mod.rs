@@ -7,9 +7,9 @@ mod shifted_flips;
 mod shifted_series;
 mod two_shifts;
 
-pub use flips::FlipSum;
-pub use nome::NomeSeries;
-pub use pair::{Theta, ThetaPair};
+pub use flips::{FlipSum, JacobiFlips};
+pub use nome::{JacobiSeries, NomeSeries};
+pub use pair::{Jacobi, Theta, ThetaPair};
 pub use shifted_flips::ShiftedFlips;
 pub use shifted_series::ShiftedSeries;
 pub use two_shifts::{ShiftedPair, TwoShifts};

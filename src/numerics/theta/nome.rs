@@ -1,6 +1,6 @@
 #![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
-use super::{Theta, ThetaPair};
+use super::{Jacobi, Theta, ThetaPair};
 use crate::numerics::{DoubleDouble, Turn};
 
 /// Series in the nome, for K′ ≥ K/2: Q ≤ e^(−π) = 0.043, where four terms of each reach the last bit.
@@ -89,20 +89,21 @@ impl Multiples {
     }
 }
 
-impl Theta for NomeSeries {
+impl Jacobi for NomeSeries {
     type Place = Multiples;
 
     #[inline(always)]
     fn place(&self, v: Turn) -> Multiples {
-        let (sin, cos) = v.sin_cos();
-        Multiples::new([sin, cos])
+        self.jacobi.place(v)
     }
 
     #[inline(always)]
     fn jacobi(&self, at: Multiples) -> [f64; 3] {
-        self.jacobi.at(at)
+        self.jacobi.jacobi(at)
     }
+}
 
+impl Theta for NomeSeries {
     #[inline(always)]
     fn pair(&self, at: Multiples) -> ThetaPair {
         let (mut a, mut b) = ([0.0; 2], [0.0; 2]);
@@ -121,7 +122,7 @@ impl Theta for NomeSeries {
 
 /// sn, cn, dn as quotients of theta functions of Jacobi's own nome √Q. `[DLMF]` 20.2, 22.2.
 #[derive(Debug, Clone, Copy)]
-struct JacobiSeries {
+pub struct JacobiSeries {
     /// 2 Q^(n²/2), n = 1 to 4.
     squares: [f64; 4],
     /// Q^(n(n+1)/2), n = 1 to 4.
@@ -131,7 +132,9 @@ struct JacobiSeries {
 }
 
 impl JacobiSeries {
-    fn new(nome: DoubleDouble) -> Self {
+    /// From Q (0 to 0.044).
+    #[must_use]
+    pub fn new(nome: DoubleDouble) -> Self {
         let (q, root) = (nome.hi(), nome.sqrt().hi());
         let (q2, q4) = (q * q, q * q * q * q);
         let mut series = Self {
@@ -139,13 +142,23 @@ impl JacobiSeries {
             triangles: [q, q2 * q, q4 * q2, q4 * q4 * q2],
             factors: [1.0; 3],
         };
-        let [_, cn, dn] = series.at(Multiples::new([0.0, 1.0])); // θ₂/θ₄ and θ₃/θ₄ while the factors are 1
+        let [_, cn, dn] = series.jacobi(Multiples::new([0.0, 1.0])); // θ₂/θ₄ and θ₃/θ₄ while the factors are 1
         series.factors = [dn / cn, 1.0 / cn, 1.0 / dn];
         series
     }
+}
+
+impl Jacobi for JacobiSeries {
+    type Place = Multiples;
 
     #[inline(always)]
-    fn at(&self, Multiples { even, odd }: Multiples) -> [f64; 3] {
+    fn place(&self, v: Turn) -> Multiples {
+        let (sin, cos) = v.sin_cos();
+        Multiples::new([sin, cos])
+    }
+
+    #[inline(always)]
+    fn jacobi(&self, Multiples { even, odd }: Multiples) -> [f64; 3] {
         let [[c2, _], [c4, _], [c6, _], [c8, _]] = even;
         let [[c1, s1], [c3, s3], [c5, s5], [c7, s7], [c9, s9]] = odd;
         let [a1, a2, a3, a4] = self.squares;

@@ -1,11 +1,8 @@
 use crate::numerics::Turn;
 
-/// θ₄ and θ₁ at v − i s for a real argument v and a fixed shift s, and Jacobi's functions at the same place.
-///
-/// The nome of θ₄ and θ₁ is the **square** Q = e^(−2πK′/K) of Jacobi's, and u = 2Kv/π his argument: v grows by π, a half
-/// turn, from one flip of the body to the next.
-pub trait Theta: Copy {
-    /// What both families of sums need to know about v.
+/// Jacobi's functions of u = 2Kv/π, v real: it grows by π, a half turn, from one flip of the body to the next.
+pub trait Jacobi: Copy {
+    /// What the sums need to know about v.
     type Place: Copy;
 
     /// Prepares the sums at v.
@@ -13,7 +10,11 @@ pub trait Theta: Copy {
 
     /// (sn u, cn u, dn u).
     fn jacobi(&self, at: Self::Place) -> [f64; 3];
+}
 
+/// θ₄ and θ₁ at v − i s for a fixed shift s, beside Jacobi's functions. Their nome is the **square** Q = e^(−2πK′/K) of
+/// his.
+pub trait Theta: Jacobi {
     /// θ₄(v − i s) and θ₁(v − i s), up to a positive factor common to both and a constant one of θ₁ alone: the
     /// implementation's own.
     fn pair(&self, at: Self::Place) -> ThetaPair;

@@ -3,16 +3,19 @@
 use crate::numerics::vectorised;
 use crate::propagation::States;
 
-/// A closed form, one time at a time. No branches that depend on `time` and everything inlined: the loops below are to
+/// ω in closed form, one time at a time. No branches that depend on `time` and everything inlined: the loops below are to
 /// become vector code.
-pub trait Motion {
+pub trait Rates {
     /// The principal axis that each of the three rates belongs to.
     fn axes(&self) -> [usize; 3];
 
     /// Rates about [`Self::axes`], rad/s.
     fn rates(&self, time: f64) -> [f64; 3];
+}
 
-    /// The same, bit for bit, and the attitude w, x, y, z.
+/// The attitude, too.
+pub trait Motion: Rates {
+    /// [`Rates::rates`], bit for bit, and the attitude w, x, y, z.
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]);
 }
 
@@ -30,15 +33,20 @@ pub fn fill_columns<M: Motion>(motion: &M, times: &[f64], wants_attitude: bool, 
             || fill_rates_and_attitude(motion, times, states),
         );
     } else {
-        vectorised(
-            #[inline(always)]
-            || fill_rates(motion, times, states),
-        );
+        fill_rates(motion, times, states);
     }
 }
 
+/// Fills the columns of ω, as long as `times`.
+pub fn fill_rates<R: Rates>(motion: &R, times: &[f64], states: &mut States) {
+    vectorised(
+        #[inline(always)]
+        || fill_blocks_of_rates(motion, times, states),
+    );
+}
+
 #[inline(always)]
-fn fill_rates<M: Motion>(motion: &M, times: &[f64], states: &mut States) {
+fn fill_blocks_of_rates<R: Rates>(motion: &R, times: &[f64], states: &mut States) {
     let axes = motion.axes();
     for (block, times) in times.chunks(LANES).enumerate() {
         let mut rates = [[0.0; LANES]; 3];

@@ -4,6 +4,6 @@ mod columns;
 mod frame;
 mod quaternion;
 
-pub use columns::{Motion, fill_columns};
+pub use columns::{Motion, Rates, fill_columns, fill_rates};
 pub use frame::Frame;
 pub use quaternion::{ExactQuaternion, QuaternionMap};

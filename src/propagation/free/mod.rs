@@ -4,6 +4,7 @@
 //! whatever its time. Derivation after `[CFSZ08]`, with theta functions of the squared nome for the attitude.
 
 mod invariants;
+mod polhode_rates;
 mod rotation;
 mod separatrix;
 mod symmetric;

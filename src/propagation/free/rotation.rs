@@ -1,14 +1,15 @@
 use super::invariants::{Polhode, Start};
+use super::polhode_rates::{PolhodeRates, RatesNome};
 use super::separatrix::Separatrix;
 use super::symmetric::Symmetric;
 use super::tri_axial::{Nome, TriAxial};
 use super::uniform::Uniform;
 use crate::dynamics::Problem;
-use crate::numerics::{FlipSum, NomeSeries};
+use crate::numerics::{FlipSum, JacobiFlips, JacobiSeries, NomeSeries};
 use crate::propagation::ballistic::Ballistic;
 use crate::propagation::exact::ExactQuaternion;
 use crate::propagation::exact::Frame;
-use crate::propagation::exact::fill_columns;
+use crate::propagation::exact::{fill_columns, fill_rates};
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
 /// The torque-free motion, exactly: any principal moments, any ω, any time, at the cost of one evaluation a sample.
@@ -34,6 +35,10 @@ enum Branch {
     Symmetric(Symmetric),
     Series(TriAxial<NomeSeries>),
     Flips(TriAxial<FlipSum>),
+    /// Without attitude.
+    SeriesRates(PolhodeRates<JacobiSeries>),
+    /// Without attitude.
+    FlipsRates(PolhodeRates<JacobiFlips>),
     Separatrix(Separatrix),
 }
 
@@ -63,7 +68,12 @@ impl FreeRotation {
         }
         let attitude = ExactQuaternion::along(problem.initial.attitude.wxyz());
         Ok(Self {
-            branch: Branch::new(moments, problem.initial.angular_velocity.in_body().into(), attitude),
+            branch: Branch::new(
+                moments,
+                problem.initial.angular_velocity.in_body().into(),
+                attitude,
+                problem.wants_attitude,
+            ),
             translation: problem.wants_translation.then(|| Ballistic::new(problem)),
             wants_attitude: problem.wants_attitude,
             last_time: 0.0,
@@ -80,7 +90,7 @@ fn scale_of(size: f64) -> f64 {
 }
 
 impl Branch {
-    fn new(moments: [f64; 3], omega: [f64; 3], attitude: ExactQuaternion) -> Self {
+    fn new(moments: [f64; 3], omega: [f64; 3], attitude: ExactQuaternion, wants_attitude: bool) -> Self {
         let scale = scale_of(omega.into_iter().fold(0.0, |size, component| size.max(component.abs())));
         let uniform = || Self::Uniform(Uniform::new(omega, scale, attitude));
         let kilograms = scale_of(moments.into_iter().fold(0.0, f64::max));
@@ -108,7 +118,14 @@ impl Branch {
             return Self::Separatrix(Separatrix::new(&about_high, &Polhode::new(&about_high, separation), scale));
         }
         let start = if separation.hi() > 0.0 { about_high } else { start([high, middle, low]) };
-        match Nome::new(&start, &Polhode::new(&start, separation), scale) {
+        let polhode = Polhode::new(&start, separation);
+        if !wants_attitude {
+            return match RatesNome::new(&start, &polhode, scale) {
+                RatesNome::Series(motion) => Self::SeriesRates(motion),
+                RatesNome::Flips(motion) => Self::FlipsRates(motion),
+            };
+        }
+        match Nome::new(&start, &polhode, scale) {
             Nome::Series(motion) => Self::Series(motion),
             Nome::Flips(motion) => Self::Flips(motion),
         }
@@ -132,6 +149,8 @@ impl Propagator for FreeRotation {
             Branch::Symmetric(motion) => fill_columns(motion, times, self.wants_attitude, states),
             Branch::Series(motion) => fill_columns(motion, times, self.wants_attitude, states),
             Branch::Flips(motion) => fill_columns(motion, times, self.wants_attitude, states),
+            Branch::SeriesRates(motion) => fill_rates(motion, times, states),
+            Branch::FlipsRates(motion) => fill_rates(motion, times, states),
             Branch::Separatrix(motion) => fill_columns(motion, times, self.wants_attitude, states),
         }
         if let Some(translation) = &self.translation {

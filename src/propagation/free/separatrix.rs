@@ -2,7 +2,7 @@
 
 use super::invariants::{Polhode, Start};
 use crate::numerics::{DoubleDouble, Phase, carlson_rf, exp_of_negative};
-use crate::propagation::exact::{Motion, QuaternionMap};
+use crate::propagation::exact::{Motion, QuaternionMap, Rates};
 
 /// L² = 2E J₂ exactly: one flip, from the middle axis to the middle axis, for ever. sn → tanh, cn and dn → sech.
 ///
@@ -77,7 +77,7 @@ impl Separatrix {
     }
 }
 
-impl Motion for Separatrix {
+impl Rates for Separatrix {
     #[inline(always)]
     fn axes(&self) -> [usize; 3] {
         [self.rates[0].0, self.rates[1].0, self.rates[2].0]
@@ -87,7 +87,9 @@ impl Motion for Separatrix {
     fn rates(&self, time: f64) -> [f64; 3] {
         self.rates_at(self.place(time))
     }
+}
 
+impl Motion for Separatrix {
     #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let at = self.place(time);

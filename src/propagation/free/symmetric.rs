@@ -2,7 +2,7 @@
 
 use super::invariants::Start;
 use crate::numerics::{DoubleDouble, Phase};
-use crate::propagation::exact::{Motion, QuaternionMap};
+use crate::propagation::exact::{Motion, QuaternionMap, Rates};
 
 /// Regular precession of a body with J₁ = J₂: axis 3′ circles L while the body turns about axis 3′.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +46,7 @@ impl Symmetric {
     }
 }
 
-impl Motion for Symmetric {
+impl Rates for Symmetric {
     fn axes(&self) -> [usize; 3] {
         self.axes
     }
@@ -57,7 +57,9 @@ impl Motion for Symmetric {
         let (sin, cos) = self.spin.at(time).sin_cos();
         [sign_1 * (w1 * cos + w2 * sin), sign_2 * (w2 * cos - w1 * sin), sign_3 * w3]
     }
+}
 
+impl Motion for Symmetric {
     #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let (size, [x, y]) = self.pair;

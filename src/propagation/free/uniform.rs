@@ -1,7 +1,7 @@
 #![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
 use crate::numerics::{DoubleDouble, Phase};
-use crate::propagation::exact::{ExactQuaternion, Motion, QuaternionMap};
+use crate::propagation::exact::{ExactQuaternion, Motion, QuaternionMap, Rates};
 
 /// Rotation about an axis that stays: rest, a body with three equal moments, a spin about one principal axis.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +29,7 @@ impl Uniform {
     }
 }
 
-impl Motion for Uniform {
+impl Rates for Uniform {
     fn axes(&self) -> [usize; 3] {
         [0, 1, 2]
     }
@@ -38,7 +38,9 @@ impl Motion for Uniform {
     fn rates(&self, _: f64) -> [f64; 3] {
         self.omega
     }
+}
 
+impl Motion for Uniform {
     #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let (sin, cos) = self.half_angle.at(time).sin_cos();

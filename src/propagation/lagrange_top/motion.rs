@@ -3,7 +3,7 @@
 use super::nutation::{Form, Nutation};
 use super::start::{Start, conjugate, product, square};
 use crate::numerics::{DoubleDouble, Phase};
-use crate::propagation::exact::{ExactQuaternion, Motion, QuaternionMap};
+use crate::propagation::exact::{ExactQuaternion, Motion, QuaternionMap, Rates};
 
 /// A nutation, turned evenly about the vertical and about the axis, in the world and the axes it was asked for.
 #[derive(Debug, Clone, Copy)]
@@ -147,7 +147,7 @@ impl<N: Nutation> TopMotion<N> {
     }
 }
 
-impl<N: Nutation> Motion for TopMotion<N> {
+impl<N: Nutation> Rates for TopMotion<N> {
     fn axes(&self) -> [usize; 3] {
         self.axes
     }
@@ -156,7 +156,9 @@ impl<N: Nutation> Motion for TopMotion<N> {
     fn rates(&self, time: f64) -> [f64; 3] {
         self.rates_of(&self.model(time))
     }
+}
 
+impl<N: Nutation> Motion for TopMotion<N> {
     #[inline(always)]
     fn rates_and_attitude(&self, time: f64) -> ([f64; 3], [f64; 4]) {
         let model = self.model(time);
