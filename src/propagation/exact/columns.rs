@@ -20,7 +20,7 @@ pub trait Motion: Rates {
 }
 
 /// Samples worked on side by side.
-const LANES: usize = 8;
+const LANES: usize = 4;
 
 /// A quantity's values in all lanes.
 type Lanes = [f64; LANES];
