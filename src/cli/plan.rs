@@ -7,7 +7,7 @@ use super::execute::{Outcome, scenario};
 use super::output::{print, print_json, remark};
 use super::report::sampling;
 use super::table::Table;
-use crate::scenario::{Plan, PlannedBody};
+use crate::scenario::{Path, Plan, PlannedBody};
 
 /// Shows how scenes would be run.
 pub fn execute(arguments: &PlanArguments) -> io::Result<Outcome> {
@@ -36,7 +36,7 @@ fn as_text(plan: &Plan) -> String {
     table.row(["samples".to_owned(), sampling(&plan.grid)]);
     for body in &plan.bodies {
         table.row(["body".to_owned(), body.name.clone()]);
-        table.row(["  path".to_owned(), format!("{}: {}", body.path.name(), body.reason)]);
+        table.row(["  path".to_owned(), format!("{}{}: {}", body.path.name(), setting(body.path), body.reason)]);
         let [a, b, c]: [f64; 3] = body.properties.moments.vector().into();
         table.row(["  moments".to_owned(), format!("{a}, {b}, {c} kg m²")]);
         if let Some(mass) = body.properties.mass {
@@ -56,6 +56,15 @@ fn as_text(plan: &Plan) -> String {
     text
 }
 
+/// What the path is told of each step.
+fn setting(path: Path) -> String {
+    match path {
+        Path::Taylor { tolerance } | Path::Dop853 { tolerance } => format!(", {tolerance:.1e} rad a step"),
+        Path::FixedStep { step, .. } => format!(", steps of {step} s"),
+        _ => String::new(),
+    }
+}
+
 fn channels(body: &PlannedBody) -> Vec<&'static str> {
     body.channels.iter().map(|channel| channel.row().name).collect()
 }
@@ -65,10 +74,15 @@ fn as_json(plan: &Plan) -> Value {
         .bodies
         .iter()
         .map(|body| {
+            let step_tolerance = match body.path {
+                Path::Taylor { tolerance } | Path::Dop853 { tolerance } => Some(tolerance),
+                _ => None,
+            };
             json!({
                 "name": body.name,
                 "path": body.path.name(),
                 "reason": body.reason,
+                "step_tolerance_rad": step_tolerance,
                 "mass_kg": body.properties.mass,
                 "principal_moments_kg_m2": body.properties.moments.vector().as_slice(),
                 "channels": channels(body),
@@ -81,6 +95,7 @@ fn as_json(plan: &Plan) -> Value {
         "title": plan.title,
         "samples": plan.grid.len(),
         "end_s": plan.grid.end(),
+        "tolerance_rad": plan.tolerance_rad,
         "bodies": bodies,
         "checks": plan.checks.len(),
     })

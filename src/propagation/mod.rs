@@ -3,6 +3,7 @@
 mod axial_torque;
 mod ballistic;
 mod damped;
+mod distance;
 mod equations;
 mod error;
 mod exact;
@@ -19,6 +20,7 @@ mod taylor;
 pub use axial_torque::AxialTorque;
 pub use ballistic::Ballistic;
 pub use damped::BrakedRotation;
+pub use distance::{attitude_distance, attitude_distances};
 pub use error::PropagationError;
 pub use fixed_step::{Coverage, FixedStep, FixedStepMethod, Information};
 pub use free::FreeRotation;

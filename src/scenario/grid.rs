@@ -55,6 +55,15 @@ impl Grid {
         }
     }
 
+    /// Numbers of samples spread evenly over the first `count`, both ends among them: all, or `most` of at least two.
+    #[must_use]
+    pub fn spread(count: u64, most: u64) -> Vec<u64> {
+        if count <= most {
+            return (0..count).collect();
+        }
+        (0..most).map(|n| n * (count - 1) / (most - 1)).collect()
+    }
+
     /// Puts the times of samples `first..first + count` (as far as there are) into `times`.
     pub fn fill(&self, first: u64, count: usize, times: &mut Vec<f64>) {
         let end = self.len().min(first.saturating_add(count as u64));

@@ -1,17 +1,10 @@
-use super::deviation::{Deviation, angle, distance, length};
-use crate::propagation::{PreciseState, PreciseTaylor, PropagationError, States};
+use super::deviation::Deviation;
+use super::exact_motion::ExactMotion;
+use crate::propagation::{PreciseState, PropagationError, States};
 use crate::scenario::{Certificate, Grid, Path, Plan, PlannedBody};
 
 /// Samples compared at most.
 const MOST_SAMPLES: u64 = 1000;
-/// Steps of the reference at most, for each body: about a thousand turns.
-const MOST_STEPS: u64 = 20_000;
-/// Of the second run of the reference: other steps, so other rounding.
-const OTHER_TOLERANCE: f64 = 1e-30;
-/// How far the two runs may differ, rad and relative in ω: far below one rounding in f64.
-const TRUSTED: f64 = 1e-18;
-/// As certificates call it.
-const REFERENCE: &str = "Taylor series in double-double";
 
 /// Measures the error of each body's path, against the same motion in double-double.
 ///
@@ -27,15 +20,17 @@ pub fn certify(plan: &Plan) -> Result<Vec<Certificate>, PropagationError> {
 }
 
 fn certify_body(body: &PlannedBody, grid: &Grid) -> Result<Certificate, PropagationError> {
-    let mut count = grid.len();
-    let mut exact = ExactMotion::of(body, grid, count)?;
-    let is_whole = exact.states.last().is_some_and(|(index, _)| index + 1 == count);
+    let mut indices = Grid::spread(grid.len(), MOST_SAMPLES);
+    let exact_at = |indices: &[u64]| ExactMotion::at(&body.problem, indices.iter().map(|index| grid.time(*index)));
+    let mut exact = exact_at(&indices)?;
+    let is_whole = exact.states.len() == indices.len();
     if !is_whole {
         // As many samples again, from the part that is within reach.
-        count = samples_until(grid, exact.reached);
-        exact = ExactMotion::of(body, grid, count)?;
+        indices = Grid::spread(samples_until(grid, exact.reached), MOST_SAMPLES);
+        exact = exact_at(&indices)?;
     }
-    let ExactMotion { states: exact, uncertainty, .. } = exact;
+    let ExactMotion { states, uncertainty, .. } = exact;
+    let exact: Vec<(u64, PreciseState)> = indices.into_iter().zip(states).collect();
     let mut deviation = Deviation::new(body);
     compare(body, grid, &exact, &mut deviation)?;
     let last = exact.last().map_or(0, |(index, _)| *index);
@@ -49,59 +44,9 @@ fn certify_body(body: &PlannedBody, grid: &Grid) -> Result<Certificate, Propagat
         is_whole,
         samples: exact.len(),
         method: body.path.name().to_owned(),
-        reference: REFERENCE.to_owned(),
+        reference: ExactMotion::NAME.to_owned(),
         reference_uncertainty: uncertainty,
     })
-}
-
-/// The motion at some samples, as far as the reference reaches.
-struct ExactMotion {
-    /// Sample numbers, and the states there.
-    states: Vec<(u64, PreciseState)>,
-    /// How far that is, s.
-    reached: f64,
-    /// The largest difference between two runs of the reference, rad or relative in ω.
-    uncertainty: f64,
-}
-
-impl ExactMotion {
-    /// At samples spread over the first `count`.
-    fn of(body: &PlannedBody, grid: &Grid, count: u64) -> Result<Self, PropagationError> {
-        let mut reference = PreciseTaylor::new(&body.problem)?.limited_to(MOST_STEPS);
-        let mut other = reference.clone().with_tolerance(OTHER_TOLERANCE);
-        let mut exact = Self { states: Vec::new(), reached: 0.0, uncertainty: 0.0 };
-        let mut fastest = 0.0_f64;
-        for index in spread(count) {
-            let time = grid.time(index);
-            let (Some(state), Some(again)) = (reference.at(time)?, other.at(time)?) else {
-                exact.reached = reference.reached().min(other.reached());
-                break;
-            };
-            fastest = length(state.angular_velocity).max(fastest);
-            let apart = difference(&state, &again, fastest);
-            if apart > TRUSTED {
-                break;
-            }
-            exact.uncertainty = exact.uncertainty.max(apart);
-            exact.reached = time;
-            exact.states.push((index, state));
-        }
-        Ok(exact)
-    }
-}
-
-/// Of attitudes in rad, or of ω relative to the fastest so far, as a body may come to rest; the larger.
-fn difference(a: &PreciseState, b: &PreciseState, fastest: f64) -> f64 {
-    let omega = distance(a.angular_velocity, b.angular_velocity);
-    angle(a.attitude, b.attitude).max(if omega > 0.0 { omega / fastest } else { 0.0 })
-}
-
-/// At most [`MOST_SAMPLES`] of the numbers 0 … count − 1, both ends among them.
-fn spread(count: u64) -> Vec<u64> {
-    if count <= MOST_SAMPLES {
-        return (0..count).collect();
-    }
-    (0..MOST_SAMPLES).map(|n| n * (count - 1) / (MOST_SAMPLES - 1)).collect()
 }
 
 /// How many samples are at or before `time`; times ascend.

@@ -3,6 +3,7 @@
 
 mod certificate;
 mod deviation;
+mod exact_motion;
 mod pareto;
 mod reference;
 mod search;
@@ -11,6 +12,6 @@ mod work_precision;
 
 pub use certificate::certify;
 pub use pareto::pareto_front;
-pub use reference::{Reference, attitude_distance, reference_states};
+pub use reference::{Reference, reference_states};
 pub use timing::{Clock, Spread, interleaved, wall_clock};
 pub use work_precision::{Level, Point, Request, WorkPrecision, work_precision};

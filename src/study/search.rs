@@ -1,11 +1,11 @@
-use super::{Reference, attitude_distance};
-use crate::propagation::{Effort, PropagationError, States};
+use super::Reference;
+use crate::propagation::{Effort, PropagationError, States, attitude_distance};
 use crate::scenario::{Method, PlannedBody, ScenarioError, Setting};
 
 /// One run of a method: what it was told, how far off it was, what it did.
 #[derive(Debug, Clone)]
 pub(super) struct Trial {
-    /// Tolerance, rad, or step, s.
+    /// Tolerance of a step, rad, or step, s.
     pub value: Option<f64>,
     pub error_rad: f64,
     pub effort: Effort,
@@ -14,8 +14,8 @@ pub(super) struct Trial {
 
 /// Halvings of a decade (of a factor 2 for steps) in search of the cheapest value.
 const HALVINGS: usize = 4;
-/// Decades of tolerance, from the loosest that scenes take.
-const DECADES: i32 = 14;
+/// Decades of tolerance, from the loosest.
+const DECADES: i32 = 15;
 const LOOSEST: f64 = 0.1;
 
 /// Tries settings of one method on one body.
@@ -74,7 +74,7 @@ impl Search<'_> {
             trials.extend(trial);
             next = match (method.setting(), next) {
                 (Setting::Tolerance, Some(value)) if value > LOOSEST * 10_f64.powi(-DECADES) * 1.5 => {
-                    Some((value / 10.0).max(1e-15))
+                    Some((value / 10.0).max(1e-16))
                 }
                 (Setting::Step, Some(value)) if 2 * evaluations <= self.evaluations_max => Some(value / 2.0),
                 _ => return Ok(trials),

@@ -2,12 +2,12 @@ use super::search::{Search, Trial};
 use super::timing::interleaved;
 use super::{Clock, Reference, Spread, pareto_front, reference_states, wall_clock};
 use crate::propagation::{Effort, States};
-use crate::scenario::{Method, PlannedBody, ScenarioError};
+use crate::scenario::{Grid, Method, PlannedBody, ScenarioError};
 
 /// What to measure.
 #[derive(Debug, Clone)]
 pub struct Request {
-    /// By these; `Auto` means the one that it picks.
+    /// By these; `Auto` means those that it picks for the errors.
     pub methods: Vec<Method>,
     /// Attitude errors to reach, rad.
     pub errors_rad: Vec<f64>,
@@ -51,7 +51,7 @@ pub struct WorkPrecision {
     pub end_s: f64,
     /// What errors are measured from.
     pub reference: Reference,
-    /// The method that `auto` picks.
+    /// The method that `auto` picks where no tolerance is asked for.
     pub auto: Option<Method>,
     /// By method, each from loose to tight.
     pub points: Vec<Point>,
@@ -64,7 +64,7 @@ pub struct WorkPrecision {
 pub struct Point {
     /// By which.
     pub method: Method,
-    /// Tolerance (rad, over the run) or step (s) it was told.
+    /// Tolerance of a step (rad), or step (s), that it was told.
     pub value: Option<f64>,
     /// Largest angle from the reference over all outputs, rad.
     pub error_rad: f64,
@@ -72,7 +72,7 @@ pub struct Point {
     pub effort: Effort,
     /// Set-up and all outputs.
     pub cost: Spread,
-    /// Whether no other point is cheaper at this error and more accurate at this cost.
+    /// Whether its error is at most 0.1 rad, and no other point is cheaper at this error and more accurate at this cost.
     pub is_on_front: bool,
 }
 
@@ -83,9 +83,14 @@ pub struct Level {
     pub error_rad: f64,
     /// By which.
     pub method: Method,
+    /// Whether `auto` picks it for a `tolerance_rad` of this error.
+    pub is_auto: bool,
     /// Index of the point that costs least among those that reach it; `None` where none does.
     pub point: Option<usize>,
 }
+
+/// rad: a larger error is no result, and on no front.
+const WORST: f64 = 0.1;
 
 /// Runs every method of `request` on `body` up to `end_s`, searches the cheapest setting for each error, and times all.
 ///
@@ -100,40 +105,51 @@ pub fn work_precision(body: &PlannedBody, end_s: f64, request: &Request) -> Resu
     let times: Vec<f64> =
         (1..=request.outputs).map(|index| end_s * f64::from(index) / f64::from(request.outputs)).collect();
     let reference = reference_states(&body, &times)?;
-    let auto = picked_by_auto(&body)?;
+    let auto = method_of(&body, &body.clone().by(Method::Auto, None)?);
+    let grid = Grid::List(times.clone());
+    // What cannot be promised is tried at full accuracy.
+    let picked =
+        |error: &f64| body.clone().keeping(Method::Auto, *error, &grid).map_or(auto, |kept| method_of(&body, &kept));
+    let picks: Vec<Option<Method>> = request.errors_rad.iter().map(picked).collect();
     let search = Search { body: &body, times: &times, reference: &reference, evaluations_max: request.evaluations_max };
     let mut trials: Vec<(Method, Trial)> = Vec::new();
-    let methods = distinct(&request.methods, auto);
+    let methods = distinct(&request.methods, &picks);
     for method in &methods {
         trials.extend(search.trials(*method, &request.errors_rad)?.into_iter().map(|trial| (*method, trial)));
     }
     let points = timed(trials, &times, &reference, request);
-    let levels = request.errors_rad.iter().flat_map(|error_rad| {
+    let levels = request.errors_rad.iter().zip(&picks).flat_map(|(error_rad, pick)| {
         // A method that does not cover the body has no points, and is not said to miss anything.
         let covering = methods.iter().filter(|method| points.iter().any(|point| point.method == **method));
-        covering.map(|method| Level { error_rad: *error_rad, method: *method, point: None })
+        let level = |method: &Method| (*error_rad, *method, *pick == Some(*method));
+        covering.map(level).map(|(error_rad, method, is_auto)| Level { error_rad, method, is_auto, point: None })
     });
     let levels = levels.map(|level| Level { point: cheapest(&points, &level), ..level }).collect();
     Ok(WorkPrecision { body: body.name, end_s, reference, auto, points, levels })
 }
 
-/// The method whose path `auto` takes.
-fn picked_by_auto(body: &PlannedBody) -> Result<Option<Method>, ScenarioError> {
-    let picked = std::mem::discriminant(&body.clone().by(Method::Auto, None)?.path);
+/// The method whose kind of path a body has taken.
+fn method_of(body: &PlannedBody, taken: &PlannedBody) -> Option<Method> {
+    let kind = std::mem::discriminant(&taken.path);
     // Any positive number does as tolerance or step: only the kind of path is looked at.
     let takes_it = |method: &Method| {
         let path = body.clone().by(*method, Some(1e-3)).map(|body| std::mem::discriminant(&body.path));
-        *method != Method::Auto && path.is_ok_and(|path| path == picked)
+        *method != Method::Auto && path.is_ok_and(|path| path == kind)
     };
-    Ok(Method::ALL.into_iter().find(takes_it))
+    Method::ALL.into_iter().find(takes_it)
 }
 
-/// The methods asked for, `Auto` as the one it picks, each once.
-fn distinct(methods: &[Method], auto: Option<Method>) -> Vec<Method> {
+/// The methods asked for, `Auto` as those it picks, each once.
+fn distinct(methods: &[Method], picks: &[Option<Method>]) -> Vec<Method> {
     let mut distinct = Vec::new();
     for method in methods {
-        let method = if *method == Method::Auto { auto } else { Some(*method) };
-        distinct.extend(method.filter(|method| !distinct.contains(method)));
+        let picked: Vec<Method> =
+            if *method == Method::Auto { picks.iter().flatten().copied().collect() } else { vec![*method] };
+        for method in picked {
+            if !distinct.contains(&method) {
+                distinct.push(method);
+            }
+        }
     }
     distinct
 }
@@ -149,7 +165,8 @@ fn timed(trials: Vec<(Method, Trial)>, times: &[f64], reference: &Reference, req
     };
     let mut works: Vec<_> = trials.iter().map(|(_, trial)| work(trial)).collect();
     let costs = interleaved(&mut works, request.clock, request.budget_s);
-    let pairs: Vec<_> = trials.iter().zip(&costs).map(|((_, trial), cost)| (trial.error_rad, cost.median_s)).collect();
+    let error = |trial: &Trial| if trial.error_rad > WORST { f64::INFINITY } else { trial.error_rad };
+    let pairs: Vec<_> = trials.iter().zip(&costs).map(|((_, trial), cost)| (error(trial), cost.median_s)).collect();
     let front = pareto_front(&pairs, reference.doubt_rad);
     let point = |(((method, trial), cost), is_on_front)| {
         let Trial { value, error_rad, effort, .. } = trial;

@@ -26,6 +26,7 @@ mod order;
 mod particles;
 mod planned;
 mod precise;
+mod promises;
 mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;

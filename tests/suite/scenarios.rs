@@ -5,7 +5,8 @@ use std::fs;
 use std::path::Path as FilePath;
 
 use polhode::propagation::FixedStepMethod;
-use polhode::scenario::{Path, Plan, Scenario, library};
+use polhode::scenario::{Grid, Path, Plan, Scenario, library};
+use polhode::study::certify;
 
 /// More than this takes long to record and to load.
 const MOST_SAMPLES: u64 = 100_000;
@@ -157,6 +158,50 @@ fn examples_of_the_manual_are_scenes_that_pass_their_checks() {
         let plan = Plan::new(&scenario).unwrap_or_else(|error| panic!("{error}"));
         for outcome in plan.measure_checks().expect("checks that can be measured") {
             assert!(outcome.passed, "{}: {} {}", outcome.name, outcome.measured, outcome.expected);
+        }
+    }
+}
+
+/// Of attitude, rad, and of ω and L, relative: closed forms and Taylor series over some ten turns.
+const CERTIFIED: f64 = 2e-14;
+/// Of position, m, where distances are metres.
+const CERTIFIED_M: f64 = 1e-14;
+
+/// The first samples of every scene, and of the last window as well: three hundred of them, as the reference takes time.
+#[test]
+fn every_scene_is_certified_to_rounding_and_says_by_what() {
+    for name in library::names() {
+        let mut plan = plan(name);
+        let last_event = plan.events.last().map_or(0.0, |event| event.time_s);
+        let grid = plan.grid.clone();
+        let count = (0..grid.len()).take_while(|index| grid.time(*index) <= last_event).count() + 300;
+        plan.grid = Grid::List((0..grid.len()).take(count).map(|index| grid.time(index)).collect());
+        let certificates = certify(&plan).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(certificates.len(), plan.bodies.len(), "{name}");
+        for (body, certificate) in plan.bodies.iter().zip(certificates) {
+            println!("{name}, {}: {certificate:?}", body.name);
+            let relative = [
+                certificate.attitude_rad,
+                Some(certificate.angular_velocity_relative),
+                certificate.angular_momentum_relative,
+            ];
+            assert!(
+                relative.iter().flatten().all(|error| *error < CERTIFIED),
+                "{name}, {}: {certificate:?}",
+                body.name
+            );
+            assert!(
+                certificate.position_m.is_none_or(|error| error < CERTIFIED_M),
+                "{name}, {}: {certificate:?}",
+                body.name
+            );
+            assert_eq!(certificate.position_m.is_some(), body.problem.wants_translation, "{name}");
+            assert!(certificate.is_whole && certificate.reference_uncertainty < 1e-18, "{name}: {certificate:?}");
+            assert!((0.0..=certificate.covered_to_s).contains(&certificate.worst_at_s), "{name}: {certificate:?}");
+            assert_eq!(certificate.covered_to_s.to_bits(), plan.grid.end().to_bits(), "{name}");
+            assert_eq!(certificate.method, body.path.name(), "{name}");
+            assert_eq!(certificate.reference, "Taylor series in double-double", "{name}");
+            assert!(certificate.keeps(plan.tolerance_rad.unwrap_or(1e-13)), "{name}: {certificate:?}");
         }
     }
 }

@@ -34,7 +34,7 @@ fn every_stepper_reaches_every_error_as_cheaply_as_it_can() {
     let study = study(&driven());
     assert_eq!(study.auto, Some(Method::Taylor));
     assert!(study.points.iter().all(|point| point.method != Method::ClosedForm), "it does not cover torques");
-    assert!(study.reference.doubt_rad < 1e-12, "the two references differ by {}", study.reference.doubt_rad);
+    assert!(study.reference.doubt_rad < 1e-15, "the reference is in doubt by {}", study.reference.doubt_rad);
     for level in &study.levels {
         let point = &study.points[level.point.expect("smooth motion is within every method's reach")];
         assert_eq!(point.method, level.method);
@@ -51,7 +51,7 @@ fn a_free_body_is_exact_by_the_method_that_auto_picks() {
     let exact: Vec<_> = study.points.iter().filter(|point| point.method == Method::ClosedForm).collect();
     assert_eq!(exact.len(), 1, "nothing can be asked of it");
     assert_eq!(exact[0].effort.steps, 0);
-    assert!(study.reference.doubt_rad > 0.0 && study.reference.doubt_rad < 1e-12, "{}", study.reference.doubt_rad);
+    assert!(study.reference.doubt_rad > 0.0 && study.reference.doubt_rad < 1e-15, "{}", study.reference.doubt_rad);
 }
 
 #[test]

@@ -11,7 +11,8 @@ use std::time::Duration;
 use cases::Case;
 use polhode::propagation::States;
 use polhode::scenario::{PlannedBody, Setting};
-use polhode::study::{Reference, Request, attitude_distance, interleaved, reference_states, work_precision};
+use polhode::propagation::attitude_distance;
+use polhode::study::{Reference, Request, interleaved, reference_states, work_precision};
 
 const ERRORS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 /// What each pair of runs may take to be timed, s.
@@ -41,7 +42,7 @@ fn compare(case: &Case) -> Result<(), Box<dyn Error>> {
     let tolerances: Vec<f64> = (6..=30).map(|half| 10_f64.powf(-f64::from(half) / 2.0)).collect();
     let errors: Vec<f64> =
         tolerances.iter().map(|tolerance| peer_error(case, &times, &reference, *tolerance)).collect();
-    for (error, level) in ERRORS.iter().zip(&study.levels) {
+    for (error, level) in study.levels.iter().filter(|level| level.is_auto).map(|level| (&level.error_rad, level)) {
         let point = level.point.map(|index| &study.points[index]);
         let ours = point.map(|point| body.clone().by(point.method, point.value)).transpose()?;
         let theirs = errors.iter().position(|found| found <= error);

@@ -23,6 +23,10 @@ pub enum BenchError {
     BadError(f64),
     #[error("cannot write {path}: {source}")]
     File { path: String, source: io::Error },
+    #[error("--csv: {0:?}: a table's name ends in .csv")]
+    NoTable(String),
+    #[error("--plot: {0:?}: a plot's name ends in .svg or .png")]
+    NoPlot(String),
     #[error("cannot draw {path}: {message}")]
     Plot { path: String, message: String },
 }
@@ -51,6 +55,7 @@ fn impossible(error: &BenchError) -> Outcome {
 
 fn studies(arguments: &BenchArguments) -> Result<Studies, BenchError> {
     let request = request(arguments)?;
+    check_names(arguments)?;
     let mut assignments: Vec<String> = arguments.duration.iter().map(|value| format!("duration_s={value}")).collect();
     assignments.extend(arguments.set.iter().cloned());
     // Every scene is planned before any is measured: a mistake in the last must not cost the time of the first.
@@ -77,6 +82,19 @@ fn request(arguments: &BenchArguments) -> Result<Request, BenchError> {
     }
     request.errors_rad.clone_from(&arguments.errors);
     Ok(request)
+}
+
+/// Before anything is measured: a misspelt name must not cost the time of a study.
+fn check_names(arguments: &BenchArguments) -> Result<(), BenchError> {
+    let shown = |path: &Path| path.display().to_string();
+    let is_table = |path: &Path| path.extension().is_some_and(|extension| extension == "csv");
+    if let Some(path) = arguments.csv.as_deref().filter(|path| !is_table(path)) {
+        return Err(BenchError::NoTable(shown(path)));
+    }
+    match arguments.plot.iter().find(|path| plot::Format::of(path).is_none()) {
+        Some(path) => Err(BenchError::NoPlot(shown(path))),
+        None => Ok(()),
+    }
 }
 
 fn names() -> Vec<&'static str> {

@@ -13,11 +13,7 @@ fn body(scene: &str, study: &WorkPrecision) -> String {
     let reference = &study.reference;
     let mut text = format!(
         "{scene}, {}: {} s\n  reference: {}; {} differs from it by {:.1e} rad: errors below that are not resolved\n",
-        study.body,
-        study.end_s,
-        reference.method.key(),
-        reference.witness.key(),
-        reference.doubt_rad,
+        study.body, study.end_s, reference.method, reference.witness, reference.doubt_rad,
     );
     let mut table = Table::default();
     let cost = format!("{} (quartiles)", clock::NAME);
@@ -27,7 +23,7 @@ fn body(scene: &str, study: &WorkPrecision) -> String {
         let asked = if level.error_rad == last { String::new() } else { format!("{:.0e}", level.error_rad) };
         last = level.error_rad;
         let mut marks = Vec::new();
-        if study.auto == Some(level.method) {
+        if level.is_auto {
             marks.push("auto");
         }
         let Some(point) = level.point.map(|index| &study.points[index]) else {
@@ -99,12 +95,12 @@ pub fn as_json((scene, bodies): &(String, Vec<WorkPrecision>)) -> Value {
                 "on_front": point.is_on_front,
             })
         };
-        let level = |level: &crate::study::Level| json!({ "error_rad": level.error_rad, "method": level.method.key(), "point": level.point });
+        let level = |level: &crate::study::Level| json!({ "error_rad": level.error_rad, "method": level.method.key(), "auto": level.is_auto, "point": level.point });
         json!({
             "body": study.body,
             "end_s": study.end_s,
-            "reference": study.reference.method.key(),
-            "reference_witness": study.reference.witness.key(),
+            "reference": study.reference.method,
+            "reference_witness": study.reference.witness,
             "reference_doubt_rad": study.reference.doubt_rad,
             "picked_by_auto": study.auto.map(crate::scenario::Method::key),
             "clock": clock::NAME,

@@ -2,10 +2,11 @@ use super::rules::{optional_vector, rotation, unused, vector};
 use super::{channels, loads, mass, path};
 use crate::body::{AngularVelocity, Attitude, MassProperties, State};
 use crate::dynamics::Problem;
-use crate::scenario::{BodySpec, Key, PlannedBody, Refusal, Scenario};
+use crate::scenario::watch::wants_translation;
+use crate::scenario::{BodySpec, Grid, Key, PlannedBody, Refusal, Scenario};
 
 /// All bodies, each with its path.
-pub fn plan(scenario: &Scenario) -> Result<Vec<PlannedBody>, Refusal> {
+pub fn plan(scenario: &Scenario, grid: &Grid) -> Result<Vec<PlannedBody>, Refusal> {
     let mut bodies: Vec<PlannedBody> = Vec::new();
     for (index, spec) in scenario.body.iter().enumerate() {
         let key = Key::root("body").index(index);
@@ -13,7 +14,7 @@ pub fn plan(scenario: &Scenario) -> Result<Vec<PlannedBody>, Refusal> {
         if bodies.iter().any(|body| body.name == name) {
             return Err(key.field("name").refuse(format_args!("{name:?} is the name of two bodies")));
         }
-        bodies.push(body(scenario, &key, spec, name)?);
+        bodies.push(body(scenario, grid, &key, spec, name)?);
     }
     Ok(bodies)
 }
@@ -32,13 +33,13 @@ fn name(key: &Key, spec: &BodySpec, count: usize) -> Result<String, Refusal> {
     Ok(name.clone())
 }
 
-fn body(scenario: &Scenario, key: &Key, spec: &BodySpec, name: String) -> Result<PlannedBody, Refusal> {
+fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: String) -> Result<PlannedBody, Refusal> {
     let (properties, surfaces) = mass::plan(key, spec, &scenario.folder)?;
     let acting = loads::plan(key, spec, &properties)?;
     let is_pivoted = spec.pivot.is_some();
     let initial = initial(key, spec, &properties)?;
     let moves = acting.moves || initial.velocity.norm() > 0.0;
-    let problem = Problem {
+    let mut problem = Problem {
         moments: properties.moments,
         mass: properties.mass,
         initial,
@@ -48,7 +49,10 @@ fn body(scenario: &Scenario, key: &Key, spec: &BodySpec, name: String) -> Result
         wants_translation: false,
     };
     let recorded = channels::choose(scenario, &problem, moves)?;
-    let (path, reason) = path::choose(scenario, &problem, moves)?;
+    // What else is propagated bears on the steps, and a trial is to make those of the run.
+    problem.wants_translation = wants_translation(moves, &recorded);
+    let accuracy = path::accuracy(scenario, grid)?;
+    let (path, reason) = path::choose(scenario, &problem, moves, &accuracy)?;
     let body = PlannedBody {
         name,
         properties,

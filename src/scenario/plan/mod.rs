@@ -8,6 +8,7 @@ mod mass;
 mod mesh;
 mod new;
 mod path;
+mod promise;
 mod rules;
 mod sampling;
 mod solids;

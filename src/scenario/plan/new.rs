@@ -17,7 +17,7 @@ fn plan(scenario: &Scenario) -> Result<Plan, Refusal> {
     if scenario.body.is_empty() {
         return Err(Key::root("body").refuse("a scene needs at least one [[body]]"));
     }
-    let bodies = bodies::plan(scenario)?;
+    let bodies = bodies::plan(scenario, &grid)?;
     let or = |text: &str, other: &str| if text.is_empty() { other.to_owned() } else { text.to_owned() };
     let name = or(&scenario.name, "scene");
     Ok(Plan {

@@ -1,38 +1,58 @@
+use super::promise::{Kept, Stepper, keep};
 use super::rules::{positive, unused};
 use crate::dynamics::Problem;
 use crate::propagation::{AxialTorque, BrakedRotation, Coverage, FixedStepMethod, Information, LagrangeTop};
-use crate::scenario::{Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
+use crate::scenario::{Grid, Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
 
-/// Per step, where no tolerance is asked for: as tight as f64 carries.
-const TIGHTEST: f64 = 1e-16;
-/// Per step, the least that DOP853's error estimate can tell.
-const TIGHTEST_DOP853: f64 = 1e-15;
-/// Share of the whole run's tolerance that one step may spend.
-const SHARE_OF_A_STEP: f64 = 1e-2;
+/// What is asked of a path that chooses its own steps.
+pub enum Accuracy<'a> {
+    /// Full accuracy.
+    Tightest,
+    /// At each step, rad.
+    OfStep(f64),
+    /// Over the whole run, at these samples, rad.
+    Promise(f64, &'a Grid),
+}
 
 impl PlannedBody {
-    /// The same body by another method, under the rules of scenes; `value` is the tolerance (rad, over the whole run)
-    /// or the step (s) of a method that is told one.
+    /// The same body by another method; `value` is the tolerance of each step (rad), or the step (s) of a method that is
+    /// told one.
     ///
     /// # Errors
     /// If the method does not cover the body, or the value breaks its rule.
-    pub fn by(mut self, method: Method, value: Option<f64>) -> Result<Self, ScenarioError> {
+    pub fn by(self, method: Method, value: Option<f64>) -> Result<Self, ScenarioError> {
         let of = |setting| value.filter(|_| method.setting() == setting);
-        let asked = Scenario {
-            method,
-            tolerance_rad: of(Setting::Tolerance),
-            step_s: of(Setting::Step),
-            file: self.name.clone(),
-            ..Scenario::default()
-        };
+        let asked = Scenario { method, step_s: of(Setting::Step), ..Scenario::default() };
+        self.asked(asked, &of(Setting::Tolerance).map_or(Accuracy::Tightest, Accuracy::OfStep))
+    }
+
+    /// The same body by a method that keeps its attitude error below `tolerance_rad` at the samples of `grid`; `Auto` is
+    /// the cheapest that does. Taylor series and DOP853, if asked for, take their tightest where that is not enough, and
+    /// the reason says so.
+    ///
+    /// # Errors
+    /// If no method keeps it, the method has no tolerance, or the tolerance breaks its rule.
+    pub fn keeping(self, method: Method, tolerance_rad: f64, grid: &Grid) -> Result<Self, ScenarioError> {
+        let asked = Scenario { method, tolerance_rad: Some(tolerance_rad), ..Scenario::default() };
+        let accuracy = accuracy(&asked, grid).map_err(|refusal| refusal.locate(&asked))?;
+        self.asked(asked, &accuracy)
+    }
+
+    fn asked(mut self, mut asked: Scenario, accuracy: &Accuracy) -> Result<Self, ScenarioError> {
+        asked.file.clone_from(&self.name);
         (self.path, self.reason) =
-            choose(&asked, &self.problem, self.moves).map_err(|refusal| refusal.locate(&asked))?;
+            choose(&asked, &self.problem, self.moves, accuracy).map_err(|refusal| refusal.locate(&asked))?;
         Ok(self)
     }
 }
 
 /// Which propagator a body takes, and why.
-pub fn choose(scenario: &Scenario, problem: &Problem, moves: bool) -> Result<(Path, String), Refusal> {
+pub fn choose(
+    scenario: &Scenario,
+    problem: &Problem,
+    moves: bool,
+    accuracy: &Accuracy,
+) -> Result<(Path, String), Refusal> {
     let method_key = Key::root("method");
     let known = closed_form(problem, moves);
     let fixed_step = fixed_step(scenario.method);
@@ -50,24 +70,56 @@ pub fn choose(scenario: &Scenario, problem: &Problem, moves: bool) -> Result<(Pa
     if let Some(method) = fixed_step {
         return with_fixed_step(scenario, problem.loads.is_empty(), method);
     }
-    let tolerance = step_tolerance(scenario)?;
-    Ok(match scenario.method {
+    match scenario.method {
         Method::ClosedForm => {
             let rule = "\"closed_form\" knows no form for what acts on this body; use \"auto\"";
             let (path, _) = known.ok_or_else(|| method_key.refuse(rule))?;
-            (path, asked("closed_form"))
+            Ok((path, asked("closed_form")))
         }
-        Method::Taylor => (Path::Taylor { tolerance }, asked("taylor")),
-        Method::Dop853 => (Path::Dop853 { tolerance: tolerance.max(TIGHTEST_DOP853) }, asked("dop853")),
+        Method::Taylor => by_steps(Stepper::Taylor, problem, accuracy, &asked("taylor")),
+        Method::Dop853 => by_steps(Stepper::Dop853, problem, accuracy, &asked("dop853")),
         // Left over: "auto".
-        _ => known.map_or_else(
-            || {
-                let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
-                (Path::Taylor { tolerance }, reason.to_owned())
-            },
-            |(path, reason)| (path, reason.to_owned()),
-        ),
-    })
+        _ => known.map_or_else(|| automatic(problem, accuracy), |(path, reason)| Ok((path, reason.to_owned()))),
+    }
+}
+
+/// A stepper that was asked for, whether it keeps a promise or not.
+fn by_steps(stepper: Stepper, problem: &Problem, accuracy: &Accuracy, asked: &str) -> Result<(Path, String), Refusal> {
+    let tolerance = match accuracy {
+        Accuracy::Tightest => stepper.tightest(),
+        Accuracy::OfStep(tolerance) => positive(&Key::root("tolerance_rad"), *tolerance)?,
+        Accuracy::Promise(promise, grid) => {
+            return Ok(match kept(problem, grid, *promise, &[stepper])? {
+                Kept::By(path, found) => (path, format!("{asked}; {found}")),
+                Kept::Not(path, found) => {
+                    (path, format!("{asked}; its tightest does not keep {promise:e} rad: {found}"))
+                }
+            });
+        }
+    };
+    Ok((stepper.path(tolerance), asked.to_owned()))
+}
+
+/// Of what has no closed form.
+fn automatic(problem: &Problem, accuracy: &Accuracy) -> Result<(Path, String), Refusal> {
+    let Accuracy::Promise(promise, grid) = accuracy else {
+        let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
+        return by_steps(Stepper::Taylor, problem, accuracy, reason);
+    };
+    match kept(problem, grid, *promise, &[Stepper::Taylor, Stepper::Dop853])? {
+        Kept::By(path, found) => {
+            Ok((path, format!("a torque acts, and this is the cheapest way to {promise:e} rad: {found}")))
+        }
+        Kept::Not(_, found) => {
+            let rule = format_args!("{promise:?} rad is more than f64 can promise for this motion: {found}");
+            Err(Key::root("tolerance_rad").refuse(rule))
+        }
+    }
+}
+
+fn kept(problem: &Problem, grid: &Grid, promise: f64, steppers: &[Stepper]) -> Result<Kept, Refusal> {
+    keep(problem, grid, promise, steppers)
+        .map_err(|error| Key::root("tolerance_rad").refuse(format_args!("{promise:?} rad cannot be tried: {error}")))
 }
 
 /// The closed form of a motion, if one is known, and why it is one. It must hold whichever channels are watched.
@@ -128,14 +180,15 @@ fn asked(method: &str) -> String {
     format!("method = \"{method}\" was asked for")
 }
 
-fn step_tolerance(scenario: &Scenario) -> Result<f64, Refusal> {
+/// What a scene asks for.
+pub fn accuracy<'a>(scenario: &Scenario, grid: &'a Grid) -> Result<Accuracy<'a>, Refusal> {
     let key = Key::root("tolerance_rad");
-    let Some(tolerance) = scenario.tolerance_rad else { return Ok(TIGHTEST) };
+    let Some(tolerance) = scenario.tolerance_rad else { return Ok(Accuracy::Tightest) };
     if positive(&key, tolerance)? > 0.1 {
         return Err(key.refuse(format_args!("{tolerance:?} rad is no accuracy: at most 0.1")));
     }
-    if tolerance < 1e-15 {
-        return Err(key.refuse(format_args!("{tolerance:?} rad is below what f64 resolves: at least 1e-15")));
+    if tolerance < 2e-15 {
+        return Err(key.refuse(format_args!("{tolerance:?} rad is below what f64 resolves: at least 2e-15")));
     }
-    Ok((tolerance * SHARE_OF_A_STEP).max(TIGHTEST))
+    Ok(Accuracy::Promise(tolerance, grid))
 }

@@ -23,7 +23,7 @@ pub struct Scenario {
     pub channels: Option<Vec<String>>,
     /// How to propagate.
     pub method: Method,
-    /// Attitude error to aim at, rad, over the whole run; for the methods that choose their steps.
+    /// Attitude error to keep over the whole run, rad; not for closed forms asked for by name, nor for fixed steps.
     pub tolerance_rad: Option<f64>,
     /// Step, s, for the methods that do not.
     pub step_s: Option<f64>,

@@ -11,7 +11,25 @@ use crate::study::WorkPrecision;
 /// `DejaVu` Sans: Latin, Greek, superscripts. Text looks the same everywhere, and no system needs to have a font.
 const FONT: &[u8] = include_bytes!("../../fonts/DejaVuSans-subset.ttf");
 /// Of one panel, pixels.
-const PANEL: (u32, u32) = (960, 640);
+const PANEL: (u32, u32) = (1140, 640);
+
+/// What a plot can be written as.
+#[derive(Debug, Clone, Copy)]
+pub enum Format {
+    Svg,
+    Png,
+}
+
+impl Format {
+    /// That a file's name asks for.
+    pub fn of(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()? {
+            "svg" => Some(Self::Svg),
+            "png" => Some(Self::Png),
+            _ => None,
+        }
+    }
+}
 
 /// Draws a panel for each body of each scene, in the format that the file's name asks for.
 pub fn draw(path: &Path, studies: &Studies) -> Result<(), String> {
@@ -23,10 +41,10 @@ pub fn draw(path: &Path, studies: &Studies) -> Result<(), String> {
     // Bodies of a scene, counted in dozens at most.
     let count = |number: usize| u32::try_from(number).unwrap_or(u32::MAX / PANEL.0);
     let size = (PANEL.0 * count(columns), PANEL.1 * count(rows));
-    match path.extension().and_then(|extension| extension.to_str()) {
-        Some("svg") => fill(&SVGBackend::new(path, size).into_drawing_area(), &panels, (rows, columns)),
-        Some("png") => fill(&BitMapBackend::new(path, size).into_drawing_area(), &panels, (rows, columns)),
-        _ => Err("a plot's name ends in .svg or .png".to_owned()),
+    match Format::of(path) {
+        Some(Format::Svg) => fill(&SVGBackend::new(path, size).into_drawing_area(), &panels, (rows, columns)),
+        Some(Format::Png) => fill(&BitMapBackend::new(path, size).into_drawing_area(), &panels, (rows, columns)),
+        None => Err("a plot's name ends in .svg or .png".to_owned()),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Work-precision diagrams, `.svg` and `.png`.
 
 mod draw;
+mod legend;
 mod panel;
 mod scale;
 
-pub use draw::draw;
+pub use draw::{Format, draw};

@@ -2,6 +2,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::Color;
 
+use super::legend::{self, Entry, Mark};
 use super::scale::{Scale, power_of_ten};
 use crate::cli::bench::clock;
 use crate::scenario::Method;
@@ -17,9 +18,18 @@ const COLOURS: [RGBColor; 7] = [
     RGBColor(86, 180, 233),
     RGBColor(80, 80, 80),
 ];
-const FONT: &str = "sans-serif";
+/// Of all text.
+pub const FONT: &str = "sans-serif";
+/// Of the legend, pixels.
+const LEGEND: i32 = 270;
+/// rad; larger errors are left out.
+const WORST_SHOWN: f64 = 0.1;
+const BAND: ShapeStyle = ShapeStyle { color: RGBAColor(255, 200, 0, 0.55), filled: true, stroke_width: 12 };
+const LIMIT: ShapeStyle = ShapeStyle { color: RGBAColor(0, 0, 0, 0.6), filled: false, stroke_width: 1 };
+const PICK: ShapeStyle = ShapeStyle { color: RGBAColor(0, 0, 0, 1.0), filled: false, stroke_width: 2 };
 
-type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
+/// Whether it could be drawn.
+pub type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
 type Chart<'a, B> =
     ChartContext<'a, B, Cartesian2d<plotters::coord::types::RangedCoordf64, plotters::coord::types::RangedCoordf64>>;
 
@@ -27,7 +37,9 @@ type Chart<'a, B> =
 pub fn draw<B: DrawingBackend>(area: &DrawingArea<B, Shift>, scene: &str, study: &WorkPrecision) -> Drawn<B> {
     let scale = Scale::of(study);
     let title = format!("{scene}, {}: {} s, {} outputs", study.body, study.end_s, study.reference.states.len());
-    let mut chart = ChartBuilder::on(area)
+    let (width, _) = area.dim_in_pixel();
+    let (axes, beside) = area.split_horizontally(i32::try_from(width).unwrap_or(i32::MAX) - LEGEND);
+    let mut chart = ChartBuilder::on(&axes)
         .caption(title, (FONT, 26))
         .margin(18)
         .x_label_area_size(64)
@@ -46,52 +58,56 @@ pub fn draw<B: DrawingBackend>(area: &DrawingArea<B, Shift>, scene: &str, study:
         .label_style((FONT, 18))
         .axis_desc_style((FONT, 20))
         .draw()?;
-    resolution(&mut chart, &scale, study)?;
+    resolution(&mut chart, &scale)?;
     front(&mut chart, &scale, study)?;
+    let mut entries = Vec::new();
     for (index, method) in methods(study).into_iter().enumerate() {
-        let points: Vec<&Point> = study.points.iter().filter(|point| point.method == method).collect();
-        let is_auto = study.auto == Some(method);
-        curve(&mut chart, &scale, study, &points, (COLOURS[index % COLOURS.len()], is_auto))?;
+        let points: Vec<&Point> = drawn(study).filter(|point| point.method == method).collect();
+        let style = COLOURS[index % COLOURS.len()].stroke_width(2);
+        curve(&mut chart, &scale, study, &points, style)?;
+        entries.push(Entry { label: method.key().to_owned(), mark: Mark::Line(style.stroke_width(4)) });
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .label_font((FONT, 18))
-        .background_style(WHITE.mix(0.9))
-        .border_style(BLACK.mix(0.3))
-        .margin(12)
-        .draw()?;
-    Ok(())
+    picks(&mut chart, &scale, study)?;
+    entries.extend([
+        Entry { label: "Pareto front of all".to_owned(), mark: Mark::Line(BAND) },
+        Entry { label: "cheapest that auto takes".to_owned(), mark: Mark::Ring(PICK) },
+        Entry { label: "least error resolved".to_owned(), mark: Mark::Dashed(LIMIT) },
+    ]);
+    legend::draw(&beside, &entries)
+}
+
+/// What is worth showing: an error of more than that is no result.
+fn drawn(study: &WorkPrecision) -> impl Iterator<Item = &Point> {
+    study.points.iter().filter(|point| point.error_rad <= WORST_SHOWN)
 }
 
 fn methods(study: &WorkPrecision) -> Vec<Method> {
-    Method::ALL.into_iter().filter(|method| study.points.iter().any(|point| point.method == *method)).collect()
+    Method::ALL.into_iter().filter(|method| drawn(study).any(|point| point.method == *method)).collect()
 }
 
 /// A dashed line where the reference ends.
-fn resolution<B: DrawingBackend>(chart: &mut Chart<'_, B>, scale: &Scale, study: &WorkPrecision) -> Drawn<B> {
+fn resolution<B: DrawingBackend>(chart: &mut Chart<'_, B>, scale: &Scale) -> Drawn<B> {
     let ends = [(scale.floor, scale.costs.start), (scale.floor, scale.costs.end)];
-    let style = BLACK.mix(0.6).stroke_width(1);
-    let name = format!("reference ({}) resolves no less", study.reference.method.key());
-    chart
-        .draw_series(DashedLineSeries::new(ends, 6, 5, style))?
-        .label(name)
-        .legend(move |(x, y)| PathElement::new([(x, y), (x + 26, y)], BLACK.mix(0.6)));
+    chart.draw_series(DashedLineSeries::new(ends, 6, 5, LIMIT))?;
+    Ok(())
+}
+
+/// A ring round the cheapest point of what `auto` takes for each error asked for.
+fn picks<B: DrawingBackend>(chart: &mut Chart<'_, B>, scale: &Scale, study: &WorkPrecision) -> Drawn<B> {
+    let picked = study.levels.iter().filter(|level| level.is_auto).filter_map(|level| level.point);
+    let places: Vec<_> = picked.map(|index| scale.place(&study.points[index])).collect();
+    chart.draw_series(places.into_iter().map(|place| Circle::new(place, 9, PICK)))?;
     Ok(())
 }
 
 /// What nothing beats, as a broad pale line under everything.
 fn front<B: DrawingBackend>(chart: &mut Chart<'_, B>, scale: &Scale, study: &WorkPrecision) -> Drawn<B> {
     let mut best: Vec<(f64, f64)> =
-        study.points.iter().filter(|point| point.is_on_front).map(|point| scale.place(point)).collect();
+        drawn(study).filter(|point| point.is_on_front).map(|point| scale.place(point)).collect();
     best.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let style = RGBColor(255, 200, 0).mix(0.55);
     // A front of one point is a front all the same.
-    chart.draw_series(best.iter().map(|place| Circle::new(*place, 10, style.filled())))?;
-    chart
-        .draw_series(LineSeries::new(best, style.stroke_width(12)))?
-        .label("Pareto front of all")
-        .legend(move |(x, y)| PathElement::new([(x, y), (x + 26, y)], style.stroke_width(10)));
+    chart.draw_series(best.iter().map(|place| Circle::new(*place, 10, BAND)))?;
+    chart.draw_series(LineSeries::new(best, BAND))?;
     Ok(())
 }
 
@@ -101,7 +117,7 @@ fn curve<B: DrawingBackend>(
     scale: &Scale,
     study: &WorkPrecision,
     points: &[&Point],
-    (colour, is_auto): (RGBColor, bool),
+    style: ShapeStyle,
 ) -> Drawn<B> {
     let pairs: Vec<_> = points.iter().map(|point| (point.error_rad, point.cost.median_s)).collect();
     let mut own: Vec<(f64, f64)> = pareto_front(&pairs, study.reference.doubt_rad)
@@ -111,19 +127,12 @@ fn curve<B: DrawingBackend>(
         .map(|(_, point)| scale.place(point))
         .collect();
     own.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let name = points.first().map_or("", |point| point.method.key());
-    let name = if is_auto { format!("{name} (auto picks it)") } else { name.to_owned() };
-    let width = if is_auto { 3 } else { 2 };
-    chart
-        .draw_series(LineSeries::new(own, colour.stroke_width(width)))?
-        .label(name)
-        .legend(move |(x, y)| PathElement::new([(x, y), (x + 26, y)], colour.stroke_width(width + 1)));
+    chart.draw_series(LineSeries::new(own, style))?;
     chart.draw_series(points.iter().map(|point| {
         let error = scale.place(point).0;
         let ends = [(error, point.cost.lower_s.log10()), (error, point.cost.upper_s.log10())];
-        PathElement::new(ends, colour.stroke_width(1))
+        PathElement::new(ends, style.stroke_width(1))
     }))?;
-    let size = if is_auto { 5 } else { 4 };
-    chart.draw_series(points.iter().map(|point| Circle::new(scale.place(point), size, colour.filled())))?;
+    chart.draw_series(points.iter().map(|point| Circle::new(scale.place(point), 4, style.filled())))?;
     Ok(())
 }

@@ -19,17 +19,12 @@ impl Scale {
         let costs = || study.points.iter().map(|point| point.cost.median_s.log10());
         let lowest = costs().fold(f64::INFINITY, f64::min).min(-5.0);
         let highest = costs().fold(f64::NEG_INFINITY, f64::max).max(lowest + 1.0);
-        Self { errors: floor.floor()..1.0, costs: (lowest - 0.3).floor()..(highest + 0.2).ceil(), floor }
+        Self { errors: floor.floor()..0.0, costs: (lowest - 0.3).floor()..(highest + 0.2).ceil(), floor }
     }
 
     /// Where a point is drawn: an error that the reference does not resolve, at what it resolves.
     pub fn place(&self, point: &Point) -> (f64, f64) {
-        (self.error(point.error_rad), point.cost.median_s.log10())
-    }
-
-    fn error(&self, error_rad: f64) -> f64 {
-        // An angle is no more than π: what left the numbers stands there, too.
-        error_rad.min(std::f64::consts::PI).log10().max(self.floor)
+        (point.error_rad.log10().max(self.floor), point.cost.median_s.log10())
     }
 }
 
