@@ -142,8 +142,8 @@ fn in_words(certificate: &Certificate) -> String {
     let Certificate { samples, reference, .. } = certificate;
     let figures = [
         certificate.attitude_rad.map(|error| format!("attitude {error:.1e} rad")),
-        Some(format!("ω {:.1e}", certificate.angular_velocity_relative)),
-        certificate.angular_momentum_relative.map(|error| format!("L {error:.1e}")),
+        Some(format!("ω {:.1e} of its largest", certificate.angular_velocity_relative)),
+        certificate.angular_momentum_relative.map(|error| format!("L {error:.1e} of its largest")),
         certificate.position_m.map(|error| format!("position {error:.1e} m")),
     ];
     let figures: Vec<_> = figures.into_iter().flatten().collect();
