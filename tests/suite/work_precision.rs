@@ -39,8 +39,11 @@ fn every_stepper_reaches_every_error_as_cheaply_as_it_can() {
         let point = &study.points[level.point.expect("smooth motion is within every method's reach")];
         assert_eq!(point.method, level.method);
         assert!(point.error_rad <= level.error_rad, "{point:?} does not reach {}", level.error_rad);
-        // A bisected setting wastes little: nothing a decade better is needed for lack of a looser one.
-        assert!(point.error_rad > level.error_rad / 1e3, "{point:?} is far better than {}", level.error_rad);
+        // A bisected setting wastes little. Which of two runs of a microsecond costs less is for the clock to say, not here.
+        let is_near = |near: &polhode::study::Point| {
+            near.method == level.method && (1e-3 * level.error_rad..=level.error_rad).contains(&near.error_rad)
+        };
+        assert!(study.points.iter().any(is_near), "{:?} was not tried near {}", level.method, level.error_rad);
     }
 }
 
