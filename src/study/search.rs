@@ -85,13 +85,17 @@ impl Search<'_> {
         }
     }
 
-    /// One run; `None` where it fails for want of accuracy: it left the numbers, or its step vanished.
+    /// One run; `None` where it fails for want of accuracy: it left the numbers, its step vanished, or was too long to be solved.
     fn trial(&self, method: Method, value: Option<f64>) -> Result<Option<Trial>, ScenarioError> {
         let body = self.body.clone().by(method, value)?;
         let (mut propagator, mut states) = (body.propagator()?, States::default());
         match propagator.fill(self.times, &mut states) {
             Ok(()) => {}
-            Err(PropagationError::NotFinite { .. } | PropagationError::StepTooSmall { .. }) => return Ok(None),
+            Err(
+                PropagationError::NotFinite { .. }
+                | PropagationError::StepTooSmall { .. }
+                | PropagationError::NoConvergence { .. },
+            ) => return Ok(None),
             Err(error) => return Err(error.into()),
         }
         let error_rad = attitude_distance(&self.reference.states, &states);

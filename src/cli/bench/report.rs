@@ -12,7 +12,7 @@ pub fn as_text((scene, bodies): &(String, Vec<WorkPrecision>)) -> String {
 fn body(scene: &str, study: &WorkPrecision) -> String {
     let reference = &study.reference;
     let mut text = format!(
-        "{scene}, {}: {} s\n  reference: {}; {} differs from it by {:.1e} rad: errors below that are not resolved\n",
+        "{scene}, {}: {} s\n  reference: {}, in doubt by {:.1e} rad (witness: {}): errors below that are not resolved\n",
         study.body, study.end_s, reference.method, reference.witness, reference.doubt_rad,
     );
     let mut table = Table::default();
