@@ -13,7 +13,7 @@ fn body(scene: &str, study: &WorkPrecision) -> String {
     let reference = &study.reference;
     let mut text = format!(
         "{scene}, {}: {} s\n  reference: {}, in doubt by {:.1e} rad (witness: {}): errors below that are not resolved\n",
-        study.body, study.end_s, reference.method, reference.witness, reference.doubt_rad,
+        study.body, study.end_s, reference.method, reference.doubt_rad, reference.witness,
     );
     let mut table = Table::default();
     let cost = format!("{} (quartiles)", clock::NAME);
