@@ -240,3 +240,33 @@ fn a_killed_run_leaves_parts_that_can_be_read_and_no_recording() {
     let again = polhode(folder.path(), &["run", "scene.toml", "--out", "."]);
     assert_eq!(again.status.code(), Some(2), "what a killed run left is not thrown away unasked");
 }
+
+#[test]
+fn threads_leave_every_byte_of_a_recording() {
+    let folder = folder_with(SCENE);
+    let record = |threads: &str| {
+        let scenes = ["scene.toml", "dzhanibekov", "lagrange_top", "constant_world_torque", "thruster_pulses"];
+        let output = Command::new(env!("CARGO_BIN_EXE_polhode"))
+            .current_dir(folder.path())
+            .env("RAYON_NUM_THREADS", threads)
+            .args(["run", "--duration", "1", "--out", threads])
+            .args(scenes)
+            .output()
+            .expect("the program starts");
+        assert!(output.status.code().is_some_and(|code| code < 2), "{}", stderr(&output));
+        let mut files: Vec<_> = fs::read_dir(folder.path().join(threads))
+            .expect("a folder of recordings")
+            .map(|entry| entry.expect("an entry").path())
+            .map(|path| (path.file_name().map(ToOwned::to_owned), fs::read(&path).expect("a recording")))
+            .collect();
+        files.sort();
+        assert_eq!(files.len(), 2 * scenes.len());
+        files
+    };
+    let alone = record("1");
+    for threads in ["2", "5"] {
+        for (alone, side_by_side) in alone.iter().zip(record(threads)) {
+            assert!(*alone == side_by_side, "{:?} with {threads} threads", alone.0);
+        }
+    }
+}

@@ -30,9 +30,11 @@ mod promises;
 mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;
+mod same_bits;
 #[cfg(feature = "serde")]
 mod same_motion;
 #[cfg(feature = "serde")]
 mod scenarios;
 mod torque_laws;
+mod trajectories;
 mod work_precision;

@@ -149,8 +149,10 @@ impl Dop853 {
             let size = largest(&self.values[range.clone()]).max(largest(&end[range.clone()]));
             if size > 0.0 {
                 let allowed = self.tolerance * size;
-                fifth_sum += fifth[range.clone()].iter().map(|error| (error / allowed).powi(2)).sum::<f64>();
-                third_sum += third[range.clone()].iter().map(|error| (error / allowed).powi(2)).sum::<f64>();
+                fifth_sum +=
+                    fifth[range.clone()].iter().map(|error| (error / allowed) * (error / allowed)).sum::<f64>();
+                third_sum +=
+                    third[range.clone()].iter().map(|error| (error / allowed) * (error / allowed)).sum::<f64>();
                 count += fifth[range].iter().map(|_| 1.0).sum::<f64>();
             }
         }
