@@ -1,11 +1,14 @@
-//! What set-up, samples, steps and channels cost, and what is saved by leaving them out.
+//! What set-up, samples, steps and recordings cost.
 //!
-//! `cargo bench --no-default-features` times the physics; with default features, recording too.
+//! `cargo bench --no-default-features --bench costs` times the physics; with default features, recording too.
 
 mod motions;
+#[path = "../problems/mod.rs"]
+mod problems;
+#[path = "../problems/top.rs"]
+mod top;
 #[cfg(feature = "cli")]
 mod recordings;
-mod skipped;
 
 fn main() {
     divan::main();

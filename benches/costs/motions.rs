@@ -2,40 +2,14 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use nalgebra::Vector3;
-use polhode::body::{AngularVelocity, Attitude, PrincipalMoments, State};
-use polhode::dynamics::{Load, Problem, Torque, Window};
+use polhode::dynamics::Problem;
 use polhode::propagation::{FreeRotation, LagrangeTop, Propagator, States, Taylor};
 
+use super::problems::{free, pushed, times};
+use super::top::top;
+
 /// Samples in a batch.
-pub const COUNT: usize = 4096;
-
-pub fn problem(moments: [f64; 3], rates: [f64; 3]) -> Problem {
-    Problem {
-        moments: PrincipalMoments::new(moments).expect("moments of a body"),
-        mass: Some(1.0),
-        initial: State {
-            attitude: Attitude::identity(),
-            angular_velocity: AngularVelocity::new(rates).expect("finite"),
-            position: Vector3::zeros(),
-            velocity: Vector3::new(1.0, 0.0, 0.0),
-        },
-        loads: Vec::new(),
-        gravity: Vector3::zeros(),
-        wants_attitude: true,
-        wants_translation: false,
-    }
-}
-
-pub fn with_torque(mut problem: Problem) -> Problem {
-    let torque = Torque::ConstantBody { moment: Vector3::new(0.1, 0.2, -0.1) };
-    problem.loads.push(Load { torque, window: Window::ALWAYS });
-    problem
-}
-
-pub fn times() -> Vec<f64> {
-    (0..4096).map(|index| f64::from(index) * 0.01).collect()
-}
+const COUNT: u32 = 4096;
 
 /// One per branch of the closed form.
 const BRANCHES: [(&str, [f64; 3], [f64; 3]); 6] = [
@@ -49,7 +23,7 @@ const BRANCHES: [(&str, [f64; 3], [f64; 3]); 6] = [
 
 fn branch(name: &str) -> Problem {
     let (_, moments, rates) = BRANCHES.into_iter().find(|branch| branch.0 == name).expect("a branch of that name");
-    problem(moments, rates)
+    free(moments, rates)
 }
 
 #[divan::bench(args = BRANCHES.map(|branch| branch.0))]
@@ -71,21 +45,11 @@ fn closed_form_rates_and_attitude(bencher: Bencher, name: &str) {
 }
 
 /// A propagator does not go back in time: each round takes a fresh one, made outside what is timed.
-pub fn fill(bencher: Bencher, problem: &Problem) {
-    let (times, mut states) = (times(), States::default());
+fn fill(bencher: Bencher, problem: &Problem) {
+    let (times, mut states) = (times(COUNT), States::default());
     let fresh = || FreeRotation::new(problem).expect("it is free");
     let run = |mut rotation: FreeRotation| rotation.fill(&times, &mut states).expect("times ascend");
     bencher.counter(ItemsCount::new(COUNT)).with_inputs(fresh).bench_local_values(run);
-}
-
-/// Lagrange's top of the peers' bench.
-fn top() -> Problem {
-    let mut top = problem([1.0, 1.0, 0.5], [0.0, 0.0, 20.0]);
-    let half_tilt = 15_f64.to_radians();
-    top.initial.attitude = Attitude::new([half_tilt.cos(), half_tilt.sin(), 0.0, 0.0]).expect("not zero");
-    let torque = Torque::ForceWorld { force: Vector3::new(0.0, 0.0, -10.0), arm: Vector3::new(0.0, 0.0, 0.5) };
-    top.loads.push(Load { torque, window: Window::ALWAYS });
-    top
 }
 
 #[divan::bench]
@@ -96,7 +60,7 @@ fn top_set_up(bencher: Bencher) {
 
 #[divan::bench]
 fn top_rates_and_attitude(bencher: Bencher) {
-    let (problem, times, mut states) = (top(), times(), States::default());
+    let (problem, times, mut states) = (top(), times(COUNT), States::default());
     let fresh = || LagrangeTop::new(&problem).expect("it is a top");
     let run = |mut top: LagrangeTop| top.fill(&times, &mut states).expect("times ascend");
     bencher.counter(ItemsCount::new(COUNT)).with_inputs(fresh).bench_local_values(run);
@@ -105,7 +69,7 @@ fn top_rates_and_attitude(bencher: Bencher) {
 /// A hundred seconds with one output: steps, and next to nothing else. 5e-11 gives order 20, 1e-16 order 24.
 #[divan::bench(args = [5e-11, 1e-16])]
 fn taylor_steps(bencher: Bencher, tolerance: f64) {
-    let problem = with_torque(branch("tri-axial"));
+    let problem = pushed();
     let mut states = States::default();
     let mut run = || {
         let mut taylor = Taylor::new(&problem, tolerance).expect("it is covered");

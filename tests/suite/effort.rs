@@ -1,7 +1,11 @@
 //! What runs cost, exactly: a change of cost is seen in review.
 
+use nalgebra::Vector3;
 use polhode::dynamics::{Load, Problem, Torque, Window};
-use polhode::propagation::{Coverage, Dop853, Effort, FixedStep, FixedStepMethod, Propagator, States, Taylor};
+use polhode::propagation::{
+    AxialTorque, BrakedRotation, Coverage, Dop853, Effort, FixedStep, FixedStepMethod, FreeRotation, LagrangeTop,
+    Propagator, States, Taylor,
+};
 
 use crate::motions::{MOMENTS, RATES, every_torque, grid, problem};
 
@@ -22,6 +26,33 @@ fn pulsed() -> Problem {
     let mut problem = under("constant body");
     problem.loads[0] = Load { window: Window { start: 2.3, end: 4.1 }, ..problem.loads[0] };
     problem
+}
+
+/// One evaluation a sample, and no step: in ten seconds or in thirty years, in one batch or in many.
+#[test]
+fn closed_forms_cost_their_samples() {
+    let axial = problem(MOMENTS, [0.0, 0.0, 1.5], &[Torque::ConstantBody { moment: Vector3::new(0.0, 0.0, -0.4) }]);
+    let weight = Torque::ForceWorld { force: Vector3::new(0.0, 0.0, -4.0), arm: Vector3::z() };
+    let top = problem([2.0, 2.0, 1.0], RATES, &[weight]);
+    let fresh = || -> [Box<dyn Propagator>; 4] {
+        [
+            Box::new(FreeRotation::new(&under("none")).expect("covered")),
+            Box::new(BrakedRotation::new(&under("momentum brake")).expect("covered")),
+            Box::new(AxialTorque::new(&axial).expect("covered")),
+            Box::new(LagrangeTop::new(&top).expect("covered")),
+        ]
+    };
+    for end in [10.0, 1e9] {
+        for (mut at_once, mut in_batches) in fresh().into_iter().zip(fresh()) {
+            let (times, mut states) = (grid(end, 20), States::default());
+            assert_eq!(at_once.effort(), Effort::default(), "setting up evaluates nothing");
+            at_once.fill(&times, &mut states).expect("a finite motion");
+            times.chunks(8).for_each(|times| in_batches.fill(times, &mut states).expect("a finite motion"));
+            for effort in [at_once.effort(), in_batches.effort()] {
+                assert_eq!(effort, Effort { evaluations: 21, steps: 0, rejections: 0 });
+            }
+        }
+    }
 }
 
 #[test]
