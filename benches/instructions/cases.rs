@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::process::ExitCode;
 
-use nalgebra::UnitQuaternion;
+use nalgebra::{UnitQuaternion, Vector3};
 use polhode::dynamics::Problem;
 use polhode::propagation::{Dop853, FreeRotation, LagrangeTop, Propagator, States, Taylor};
 use polhode::telemetry::{BodySamples, Channel, Derivation};
