@@ -165,7 +165,9 @@ fn hash(name: &str, problem: &Problem, times: &[f64], fresh: &dyn Fn(&Problem) -
         let all = attitude.iter().chain(angular_velocity).chain(position).chain(velocity).chain(samples.columns());
         for (index, column) in all.enumerate() {
             columns.resize(columns.len().max(index + 1), Hash::EMPTY);
-            column.iter().for_each(|value| columns[index].add(*value));
+            for value in column.iter() {
+                columns[index].add(*value);
+            }
         }
     }
     columns.into_iter().fold(Hash::EMPTY, Hash::joined)
