@@ -54,6 +54,33 @@ impl Case {
         (1..=OUTPUTS).map(|index| self.end_s * f64::from(index) / f64::from(OUTPUTS)).collect()
     }
 
+    /// w, x, y, z, then the rates.
+    pub fn start(&self) -> [f64; 7] {
+        let ([w, x, y, z], [p, q, r]) = (self.attitude, self.rates);
+        [w, x, y, z, p, q, r]
+    }
+
+    /// About the body's axes: the constant one, and m g l e₃ × Rᵀ(−z) of gravity on a point of the z axis.
+    pub fn moment_at(&self, [w, x, y, z, ..]: [f64; 7]) -> [f64; 3] {
+        let ([m1, m2, m3], top) = (self.moment, self.top);
+        [m1 + top * 2.0 * (y * z + w * x), m2 - top * 2.0 * (x * z - w * y), m3]
+    }
+
+    /// The equations of motion that peers without bodies of their own are given.
+    pub fn derivative(&self, state: [f64; 7]) -> [f64; 7] {
+        let [w, x, y, z, p, q, r] = state;
+        let ([i1, i2, i3], [m1, m2, m3]) = (self.moments, self.moment_at(state));
+        [
+            0.5 * (-x * p - y * q - z * r),
+            0.5 * (w * p + y * r - z * q),
+            0.5 * (w * q + z * p - x * r),
+            0.5 * (w * r + x * q - y * p),
+            (m1 + (i2 - i3) * q * r) / i1,
+            (m2 + (i3 - i1) * r * p) / i2,
+            (m3 + (i1 - i2) * p * q) / i3,
+        ]
+    }
+
     /// As polhode plans it.
     pub fn body(&self) -> Result<PlannedBody, ScenarioError> {
         let mut body = BodySpec {
