@@ -50,9 +50,11 @@ pub fn compare(case: &Case, peers: &[Box<dyn Peer>]) -> Result<(Vec<Row>, f64), 
     let study = work_precision(&body, case.end_s, &request)?;
     let tried: Vec<Vec<Tried>> = peers.iter().map(|peer| tries(peer.as_ref(), case, &reference)).collect();
     let mut rows = Vec::new();
-    for level in study.levels.iter().filter(|level| level.is_auto) {
-        let error_rad = level.error_rad;
-        let point = level.point.map(|index| &study.points[index]);
+    for error_rad in ERRORS {
+        // Where nothing can be promised, what was tried may still be right.
+        let of_error = study.levels.iter().filter(|level| level.error_rad == error_rad);
+        let level = of_error.max_by_key(|level| level.is_auto);
+        let point = level.and_then(|level| level.point).map(|index| &study.points[index]);
         let ours = point.map(|point| body.clone().by(point.method, point.value)).transpose()?;
         let cheapest = |tried: &Vec<Tried>| tried.iter().position(|tried| tried.error_rad <= error_rad);
         let found: Vec<Option<usize>> = tried.iter().map(cheapest).collect();

@@ -3,8 +3,8 @@ use std::vec::IntoIter;
 
 use prost::Message;
 
+use super::container::{Output, Topic};
 use super::foxglove::{LOG, Log, Timestamp};
-use super::output::{Output, Topic};
 use crate::recording::RecordingError;
 use crate::scenario::{Plan, nanoseconds};
 
@@ -36,7 +36,7 @@ impl EventLog {
     /// Tells what has happened until `stamp_ns`, that instant included.
     pub fn tell_until(&mut self, stamp_ns: i64, output: &mut Output) -> Result<(), RecordingError> {
         while let Some((stamp, log)) = self.next.take_if(|(stamp, _)| *stamp <= stamp_ns) {
-            output.send(&mut self.topic, stamp, &log.encode_to_vec())?;
+            output.send(&mut self.topic, stamp, |bytes| log.encode_raw(bytes))?;
             self.next = self.later.next();
         }
         Ok(())

@@ -1,10 +1,10 @@
 //! Written in this order: metadata, scene text, schemas and channels, the surfaces and the start, then sample after sample.
 
 mod about;
+mod container;
 mod descriptor;
 mod foxglove;
 mod log;
-mod output;
 mod read;
 mod scan;
 mod scene;

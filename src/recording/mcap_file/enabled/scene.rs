@@ -3,11 +3,11 @@ use std::collections::BTreeMap;
 use nalgebra::{UnitQuaternion, Vector3};
 use prost::Message;
 
+use super::container::{Output, Topic};
 use super::foxglove::{
     ArrowPrimitive, Color, FRAME_TRANSFORMS, FrameTransform, FrameTransforms, KeyValuePair, Pose, SCENE_UPDATE,
     SceneEntity, SceneUpdate, Timestamp, WORLD, body_frame,
 };
-use super::output::{Output, Topic};
 use crate::recording::RecordingError;
 use crate::recording::picture::{BodyPicture, Picture, attitude};
 use crate::scenario::Plan;
@@ -19,7 +19,6 @@ pub(super) struct MovingScene {
     frames: Option<Topic>,
     arrows: Option<Topic>,
     bodies: Vec<MovingBody>,
-    message: Vec<u8>,
 }
 
 #[derive(Debug)]
@@ -38,7 +37,7 @@ impl MovingScene {
         let frames = if has_frames { Some(output.topic("/tf", FRAME_TRANSFORMS, &nothing)?) } else { None };
         let arrows = if has_arrows { Some(output.topic("/scene", SCENE_UPDATE, &nothing)?) } else { None };
         let bodies = bodies().map(|(body, picture)| MovingBody { name: body.name.clone(), picture: picture.clone() });
-        Ok(Self { frames, arrows, bodies: bodies.collect(), message: Vec::new() })
+        Ok(Self { frames, arrows, bodies: bodies.collect() })
     }
 
     /// Draws sample `index` of the batch.
@@ -47,13 +46,11 @@ impl MovingScene {
         let bodies = || self.bodies.iter().zip(&samples.bodies);
         if let Some(topic) = &mut self.frames {
             let transforms = bodies().filter_map(|(body, samples)| body.frame(samples, index, stamp)).collect();
-            encode(&FrameTransforms { transforms }, &mut self.message);
-            output.send(topic, stamp, &self.message)?;
+            output.send(topic, stamp, |bytes| FrameTransforms { transforms }.encode_raw(bytes))?;
         }
         if let Some(topic) = &mut self.arrows {
             let entities = bodies().flat_map(|(body, samples)| body.arrows(samples, index, stamp)).collect();
-            encode(&SceneUpdate { entities }, &mut self.message);
-            output.send(topic, stamp, &self.message)?;
+            output.send(topic, stamp, |bytes| SceneUpdate { entities }.encode_raw(bytes))?;
         }
         Ok(())
     }
@@ -117,9 +114,4 @@ impl MovingBody {
 fn along_x(direction: Vector3<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector3::x(), &direction)
         .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::PI))
-}
-
-fn encode(message: &impl Message, bytes: &mut Vec<u8>) {
-    bytes.clear();
-    message.encode_raw(bytes);
 }

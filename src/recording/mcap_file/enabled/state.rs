@@ -25,25 +25,34 @@ fn field_of(channel: Channel) -> u32 {
 /// Lays out messages for one body's channels.
 #[derive(Debug)]
 pub(super) struct StateEncoder {
-    /// What comes before each column's number: its key, after the key and length of the channel where one begins.
-    keys: Vec<Vec<u8>>,
+    /// What follows the time: keys, and room for each column's number.
+    channels: Vec<u8>,
+    /// Where the room is.
+    places: Vec<usize>,
 }
 
 impl StateEncoder {
     pub fn new(channels: &[Channel]) -> Self {
-        Self { keys: channels.iter().flat_map(|channel| keys_of(*channel)).collect() }
+        let mut encoder = Self { channels: Vec::new(), places: Vec::new() };
+        for key in channels.iter().flat_map(|channel| keys_of(*channel)) {
+            encoder.channels.extend_from_slice(&key);
+            encoder.places.push(encoder.channels.len());
+            encoder.channels.extend_from_slice(&[0; 8]);
+        }
+        encoder
     }
 
-    /// Puts sample `index` into `message`. All numbers are written, zeros too: −0 would not come back.
-    pub fn encode(&self, time: (f64, i64), columns: &[Vec<f64>], index: usize, message: &mut Vec<u8>) {
+    /// Appends sample `index` to `bytes`. All numbers are written, zeros too: −0 would not come back.
+    pub fn encode(&self, time: (f64, i64), columns: &[Vec<f64>], index: usize, bytes: &mut Vec<u8>) {
         let (time_s, stamp_ns) = time;
-        message.clear();
-        encode_key(TIME, WireType::SixtyFourBit, message);
-        message.extend_from_slice(&time_s.to_le_bytes());
-        message::encode(TIMESTAMP, &Timestamp::of(stamp_ns), message);
-        for (key, column) in self.keys.iter().zip(columns) {
-            message.extend_from_slice(key);
-            message.extend_from_slice(&column[index].to_le_bytes());
+        encode_key(TIME, WireType::SixtyFourBit, bytes);
+        bytes.extend_from_slice(&time_s.to_le_bytes());
+        message::encode(TIMESTAMP, &Timestamp::of(stamp_ns), bytes);
+        let start = bytes.len();
+        bytes.extend_from_slice(&self.channels);
+        let message = &mut bytes[start..];
+        for (place, column) in self.places.iter().zip(columns) {
+            message[*place..*place + 8].copy_from_slice(&column[index].to_le_bytes());
         }
     }
 }

@@ -3,9 +3,9 @@ use std::collections::BTreeMap;
 use prost::Message;
 
 use super::about;
+use super::container::{Output, Topic};
 use super::foxglove::SCENE_UPDATE;
 use super::log::EventLog;
-use super::output::{Output, Topic};
 use super::scene::MovingScene;
 use super::state::{self, StateEncoder};
 use super::surfaces::surfaces;
@@ -23,7 +23,6 @@ pub struct McapFile {
     log: EventLog,
     picture: Picture,
     end_ns: i64,
-    message: Vec<u8>,
 }
 
 impl McapFile {
@@ -50,18 +49,10 @@ impl McapFile {
         if let Some(update) = surfaces(plan, picture, start_ns) {
             let mut topic = output.topic("/scene/surfaces", SCENE_UPDATE, &BTreeMap::new())?;
             log.tell_until(start_ns, &mut output)?;
-            output.send(&mut topic, start_ns, &update.encode_to_vec())?;
+            output.send(&mut topic, start_ns, |bytes| update.encode_raw(bytes))?;
         }
         output.flush()?;
-        Ok(Self {
-            output,
-            states,
-            scene,
-            log,
-            picture: picture.clone(),
-            end_ns: nanoseconds(plan.grid.end()),
-            message: Vec::new(),
-        })
+        Ok(Self { output, states, scene, log, picture: picture.clone(), end_ns: nanoseconds(plan.grid.end()) })
     }
 }
 
@@ -71,8 +62,8 @@ impl Sink for McapFile {
             let (time_s, stamp_ns) = (samples.times_s[index], samples.stamps_ns[index]);
             self.log.tell_until(stamp_ns, &mut self.output)?;
             for ((encoder, topic), body) in self.states.iter_mut().zip(&samples.bodies) {
-                encoder.encode((time_s, stamp_ns), body.columns(), index, &mut self.message);
-                self.output.send(topic, stamp_ns, &self.message)?;
+                let data = |bytes: &mut Vec<u8>| encoder.encode((time_s, stamp_ns), body.columns(), index, bytes);
+                self.output.send(topic, stamp_ns, data)?;
             }
             if self.picture.draws(number) {
                 self.scene.draw(samples, index, &mut self.output)?;
