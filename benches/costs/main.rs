@@ -5,10 +5,10 @@
 mod motions;
 #[path = "../problems/mod.rs"]
 mod problems;
-#[path = "../problems/top.rs"]
-mod top;
 #[cfg(feature = "cli")]
 mod recordings;
+#[path = "../problems/top.rs"]
+mod top;
 
 fn main() {
     divan::main();

@@ -6,9 +6,9 @@
 mod cases;
 #[path = "../problems/mod.rs"]
 mod problems;
+mod table;
 #[path = "../problems/top.rs"]
 mod top;
-mod table;
 mod valgrind;
 
 use std::process::ExitCode;

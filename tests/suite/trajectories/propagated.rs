@@ -165,7 +165,7 @@ fn hash(name: &str, problem: &Problem, times: &[f64], fresh: &dyn Fn(&Problem) -
         let all = attitude.iter().chain(angular_velocity).chain(position).chain(velocity).chain(samples.columns());
         for (index, column) in all.enumerate() {
             columns.resize(columns.len().max(index + 1), Hash::EMPTY);
-            for value in column.iter() {
+            for value in column {
                 columns[index].add(*value);
             }
         }
