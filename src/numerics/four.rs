@@ -16,6 +16,9 @@ pub trait Four: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     /// (1, 2, 0, 3), by places.
     #[must_use]
     fn turned(self) -> Self;
+    /// (2, 0, 1, 3).
+    #[must_use]
+    fn turned_back(self) -> Self;
     /// (1, 0, 3, 2).
     #[must_use]
     fn swapped(self) -> Self;
@@ -71,6 +74,12 @@ impl Four for Plain {
     fn turned(self) -> Self {
         let [a, b, c, d] = self.0;
         Self([b, c, a, d])
+    }
+
+    #[inline(always)]
+    fn turned_back(self) -> Self {
+        let [a, b, c, d] = self.0;
+        Self([c, a, b, d])
     }
 
     #[inline(always)]
@@ -141,6 +150,11 @@ mod wide {
         }
 
         #[inline(always)]
+        fn turned_back(self) -> Self {
+            Self(self.0, self.0.avx2._mm256_permute4x64_pd::<0b11_01_00_10>(self.1))
+        }
+
+        #[inline(always)]
         fn swapped(self) -> Self {
             Self(self.0, self.0.avx._mm256_permute_pd::<0b0101>(self.1))
         }
@@ -182,7 +196,7 @@ mod tests {
         fn run<F: Four>(self, proof: F::Proof) -> [f64; 4] {
             let (a, b) = (F::load(proof, &self.0), F::load(proof, &self.1));
             let fused_would_differ = a * b + a.turned() * F::splat(proof, 0.1);
-            (fused_would_differ.swapped() - b.halves_swapped() * a).store()
+            (fused_would_differ.swapped() - b.halves_swapped() * a.turned_back()).store()
         }
     }
 
@@ -196,6 +210,7 @@ mod tests {
     fn places() {
         let four = Plain([0.0, 1.0, 2.0, 3.0]);
         assert_eq!(four.turned().store(), [1.0, 2.0, 0.0, 3.0]);
+        assert_eq!(four.turned_back().store(), [2.0, 0.0, 1.0, 3.0]);
         assert_eq!(four.swapped().store(), [1.0, 0.0, 3.0, 2.0]);
         assert_eq!(four.halves_swapped().store(), [2.0, 3.0, 0.0, 1.0]);
     }

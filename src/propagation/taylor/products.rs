@@ -15,6 +15,12 @@ impl<F: Four> Two<F> {
         Self { now: F::splat(proof, 0.0), ahead: F::splat(proof, 0.0) }
     }
 
+    /// Coefficient k without what the factors of order k contribute; coefficient k + 1 without those of order k + 1.
+    #[inline(always)]
+    pub fn older(self, k: usize, ends: impl Fn(usize, usize) -> F) -> [F; 2] {
+        [self.now, if k > 0 { self.ahead + ends(1, k) } else { self.ahead }]
+    }
+
     /// Coefficient k with its newest factors, by `ends` of their orders.
     #[inline(always)]
     pub fn now(self, k: usize, ends: impl Fn(usize, usize) -> F) -> F {
@@ -96,12 +102,12 @@ fn crossed<F: Four>(a: [F; 2], b: [F; 2]) -> F {
 
 /// Coefficients k + 1 and k + 2 of q by q' = ½ q ω, from those of ω up to k + 1.
 #[inline(always)]
-pub(super) fn turn<F: Four>(proof: F::Proof, q: &mut Rows, rates: &Rows, k: usize) {
+pub(super) fn turn<F: Four>(proof: F::Proof, q: &mut Rows, rates: &Rows, k: usize, newest: F) -> F {
     let k = k.min(ORDER_MAX - 2);
     let none = [F::splat(proof, 0.0); 3];
     let (mut now, mut ahead) = (none, none);
     let mut before = components::<F>(proof, &rates[k + 1]);
-    for (q, rates) in q[..=k].iter().zip(rates[..=k].iter().rev()) {
+    for (q, rates) in q[..k].iter().zip(rates[1..=k].iter().rev()) {
         let (q, spread) = (q.load::<F>(proof), components::<F>(proof, rates));
         for i in 0..3 {
             now[i] = now[i] + q * spread[i];
@@ -109,21 +115,30 @@ pub(super) fn turn<F: Four>(proof: F::Proof, q: &mut Rows, rates: &Rows, k: usiz
         }
         before = spread;
     }
-    let next = hamilton(proof, now, k + 1);
+    let (by_first, by_second) = (&HAMILTON[k + 1], &HAMILTON[k + 2]);
+    let next = hamilton(proof, now, by_first) + with_rates(proof, newest, &rates[0], by_first);
+    let older = hamilton(proof, ahead, by_second) + with_rates(proof, newest, &rates[1], by_second);
+    let after = older + with_rates(proof, next, &rates[0], by_second);
     q[k + 1] = Row(next.store());
-    for i in 0..3 {
-        ahead[i] = ahead[i] + next * before[i];
-    }
-    q[k + 2] = Row(hamilton(proof, ahead, k + 2).store());
+    q[k + 2] = Row(after.store());
+    after
 }
 
 /// The quaternion product ½ q (0, ω) / k from q times each component of ω.
 #[inline(always)]
-fn hamilton<F: Four>(proof: F::Proof, [x, y, z]: [F; 3], k: usize) -> F {
-    let [by_x, by_y, by_z] = &HAMILTON[k];
+fn hamilton<F: Four>(proof: F::Proof, [x, y, z]: [F; 3], [by_x, by_y, by_z]: &[Row; 3]) -> F {
     x.swapped() * by_x.load(proof)
         + y.halves_swapped() * by_y.load(proof)
         + z.swapped().halves_swapped() * by_z.load(proof)
+}
+
+/// The same from q and ω: all that has to wait for q is one product and the sum.
+#[inline(always)]
+fn with_rates<F: Four>(proof: F::Proof, q: F, rates: &Row, by: &[Row; 3]) -> F {
+    let [x, y, z] = components::<F>(proof, rates);
+    let swapped = q.swapped();
+    swapped * (x * by[0].load(proof))
+        + (q.halves_swapped() * (y * by[1].load(proof)) + swapped.halves_swapped() * (z * by[2].load(proof)))
 }
 
 /// ½/k, with the signs of the products with each component.

@@ -53,17 +53,20 @@ impl<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> Kernel
     #[inline(always)]
     fn run<F: Four>(self, proof: F::Proof) {
         let Self { terms, series, order } = self;
+        let mut newest_rates = series.rates.rows[0].load::<F>(proof).turned_back();
+        let mut newest_attitude = series.attitude[0].load::<F>(proof);
         let mut k = 0;
         while k < order {
-            two::<F, IMAGES, GRADIENT>(proof, terms, series, k);
+            newest_rates = two::<F, IMAGES, GRADIENT>(proof, terms, series, k, newest_rates);
             // The attitude comes a step behind, so as not to wait for what has just been begun.
             if ATTITUDE && k > 0 {
-                turn::<F>(proof, &mut series.attitude, &series.rates.rows, k - 2);
+                let Series { attitude, rates, .. } = &mut *series;
+                newest_attitude = turn::<F>(proof, attitude, &rates.rows, k - 2, newest_attitude);
             }
             k += 2;
         }
         if ATTITUDE && k > 0 {
-            turn::<F>(proof, &mut series.attitude, &series.rates.rows, k - 2);
+            turn::<F>(proof, &mut series.attitude, &series.rates.rows, k - 2, newest_attitude);
         }
     }
 }
@@ -75,12 +78,12 @@ fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     terms: &Terms,
     series: &mut Series,
     k: usize,
-) {
-    let coupling = terms.coupling.load::<F>(proof);
+    newest_rates: F,
+) -> F {
     if GRADIENT {
         set_relative::<F>(proof, terms, series, k);
     }
-    let rates = cyclic::<F>(proof, &series.rates, k);
+    let [now, ahead] = cyclic::<F>(proof, &series.rates, k).older(k, cyclic_ends(proof, &series.rates));
     let mut images = [Two::none(proof); IMAGES];
     for (product, image) in images.iter_mut().zip(&series.images) {
         *product = cross::<F>(proof, image, &series.rates, k);
@@ -94,7 +97,6 @@ fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
 
     let next = F::splat(proof, RECIPROCAL[k + 1]);
     let rest = others::<F, IMAGES, GRADIENT>(proof, terms, series, k, tidal.now(k, cyclic_ends(proof, &series.radial)));
-    let sum = rates.now(k, cyclic_ends(proof, &series.rates));
     let next_images =
         from_fn::<_, IMAGES, _>(|i| images[i].now(k, cross_ends(proof, &series.images[i], &series.rates)));
     if GRADIENT {
@@ -106,7 +108,8 @@ fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     for (image, sum) in series.images.iter_mut().zip(next_images) {
         image.store(k + 1, sum.turned() * next);
     }
-    series.rates.store(k + 1, (coupling * next) * sum.turned() + rest * next);
+    let rates = next_rates(proof, terms, series, k, [now, rest, newest_rates]);
+    series.rates.store_turned_back(k + 1, rates);
     if GRADIENT {
         set_relative::<F>(proof, terms, series, k + 1);
     }
@@ -114,7 +117,6 @@ fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     let next = F::splat(proof, RECIPROCAL[k + 2]);
     let rest =
         others::<F, IMAGES, GRADIENT>(proof, terms, series, k + 1, tidal.ahead(k, cyclic_ends(proof, &series.radial)));
-    let sum = rates.ahead(k, cyclic_ends(proof, &series.rates));
     let next_images =
         from_fn::<_, IMAGES, _>(|i| images[i].ahead(k, cross_ends(proof, &series.images[i], &series.rates)));
     if GRADIENT {
@@ -126,7 +128,24 @@ fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     for (image, sum) in series.images.iter_mut().zip(next_images) {
         image.store(k + 2, sum.turned() * next);
     }
-    series.rates.store(k + 2, (coupling * next) * sum.turned() + rest * next);
+    let rates = next_rates(proof, terms, series, k + 1, [ahead, rest, rates]);
+    series.rates.store_turned_back(k + 2, rates);
+    rates
+}
+
+/// Coefficient k + 1 of ω as (z, x, y), from coefficient k in the same order, the older products of ω, and the rest of
+/// coefficient k of ω̇. All that has to wait for coefficient k is a turn, a product and two sums.
+#[inline(always)]
+fn next_rates<F: Four>(proof: F::Proof, terms: &Terms, series: &Series, k: usize, [older, rest, newest]: [F; 3]) -> F {
+    let next = F::splat(proof, RECIPROCAL[k + 1]);
+    let coupling = terms.coupling.load::<F>(proof).turned_back() * next;
+    let damping = terms.damping.load::<F>(proof).turned_back() * next;
+    let [first, first_turned]: [F; 2] = series.rates.load(proof, 0);
+    let older = (older * coupling + rest.turned_back() * next) - newest * damping;
+    if k == 0 {
+        return older + (first * first_turned) * coupling;
+    }
+    older + (newest.turned_back() * (first * coupling) + newest.turned() * (first_turned * coupling))
 }
 
 /// Coefficient k of ω relative to the orbit.
@@ -136,7 +155,7 @@ fn set_relative<F: Four>(proof: F::Proof, terms: &Terms, series: &mut Series, k:
     series.relative.store(k, series.rates.rows[k].load::<F>(proof) - orbit);
 }
 
-/// Coefficient k of ω̇ but for the gyroscopic part.
+/// Coefficient k of ω̇ but for the gyroscopic part and the damping.
 #[inline(always)]
 fn others<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     proof: F::Proof,
@@ -146,7 +165,7 @@ fn others<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     tidal: F,
 ) -> F {
     let constant = if k == 0 { &terms.moment } else { &Row::ZERO };
-    let mut sum = constant.load::<F>(proof) - terms.damping.load::<F>(proof) * series.rates.rows[k].load(proof);
+    let mut sum = constant.load::<F>(proof);
     for (columns, image) in terms.couples.iter().zip(&series.images[..IMAGES]) {
         for (column, component) in columns.iter().zip(image.rows[k].0) {
             sum = sum + column.load::<F>(proof) * F::splat(proof, component);

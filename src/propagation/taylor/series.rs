@@ -73,6 +73,13 @@ impl Vectors {
         self.rows[k] = Row(row.store());
         self.turned[k] = Row(row.turned().store());
     }
+
+    /// Coefficient k from (z, x, y): each copy takes one turn.
+    #[inline(always)]
+    pub fn store_turned_back<F: Four>(&mut self, k: usize, row: F) {
+        self.rows[k] = Row(row.turned().store());
+        self.turned[k] = Row(row.turned_back().store());
+    }
 }
 
 impl Series {
