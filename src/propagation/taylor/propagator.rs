@@ -10,6 +10,9 @@ use crate::numerics::vectorised;
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
+/// The motion is the same however long q is, and samples are brought to unit length anyway: q need only stay near it.
+const STEPS_BETWEEN_NORMALISATIONS: u64 = 16;
+
 /// Motion under any loads, by Taylor series of high order with dense output `[JZ05]`.
 ///
 /// The state is carried in compensated sums, steps stop exactly where a load starts or ends, and no step is ever
@@ -126,7 +129,9 @@ impl Taylor {
         self.end.time = time;
         self.end.rates = self.rates().after(sigma);
         self.end.attitude = self.attitude().after(sigma);
-        self.end.normalise();
+        if self.effort.steps.is_multiple_of(STEPS_BETWEEN_NORMALISATIONS) {
+            self.end.normalise();
+        }
         if self.wants_translation {
             self.end.position = self.position().after(sigma);
             self.end.velocity = self.velocity().after(sigma);

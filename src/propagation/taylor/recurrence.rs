@@ -38,7 +38,7 @@ fn rotation<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool>(
 /// r' = r × (ω − n h), h' = h × ω. Each product is a convolution of coefficients `[JZ05]`.
 ///
 /// Two orders at a time: what both have in common is summed once, and the chain from one coefficient to the next is
-/// left with two products.
+/// left with a turn, a product and two sums.
 struct Rotation<'a, const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> {
     terms: &'a Terms,
     series: &'a mut Series,

@@ -28,13 +28,17 @@ pub(super) fn step_ratio(series: &Series, order: usize, tolerance: f64) -> f64 {
     let rates = shrink(scale(&series.rates.rows).min(1.0));
     let position = shrink(scale(&series.position));
     let goal = rough_log2(tolerance);
-    let ratio = |k: usize| {
-        let relative = series.rates.rows[k] * rates;
-        let size = series.attitude[k].largest(relative).largest(series.position[k] * position).magnitude();
-        // The binary logarithm of (tolerance / size)^(1/k).
-        if size > 0.0 { (goal - rough_log2(size)) * RECIPROCAL[k] } else { f64::INFINITY }
-    };
-    rough_exp2(ratio(order - 1).min(ratio(order)))
+    let [last_but_one, last] = [order - 1, order].map(
+        #[inline(always)]
+        |k| series.attitude[k].largest(series.rates.rows[k] * rates).largest(series.position[k] * position).magnitude(),
+    );
+    rough_exp2(power(goal, last_but_one, order - 1).min(power(goal, last, order)))
+}
+
+/// log₂ of (tolerance / size)^(1/k), from log₂ of the tolerance.
+#[inline(always)]
+fn power(goal: f64, size: f64, k: usize) -> f64 {
+    if size > 0.0 { (goal - rough_log2(size)) * RECIPROCAL[k] } else { f64::INFINITY }
 }
 
 /// log₂ of a positive number within 0.01, which the root makes less than 0.2 %: a step needs no more, and this costs
