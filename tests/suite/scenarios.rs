@@ -183,11 +183,7 @@ fn every_scene_is_certified_to_rounding_to_its_end() {
                 certificate.angular_momentum_relative,
             ];
             let limit = if body.name == "swing_85" { CERTIFIED_NEAR_UPRIGHT } else { CERTIFIED };
-            assert!(
-                relative.iter().flatten().all(|error| *error < limit),
-                "{name}, {}: {certificate:?}",
-                body.name
-            );
+            assert!(relative.iter().flatten().all(|error| *error < limit), "{name}, {}: {certificate:?}", body.name);
             assert!(
                 certificate.position_m.is_none_or(|error| error < CERTIFIED_M),
                 "{name}, {}: {certificate:?}",
