@@ -63,7 +63,8 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
         | Channel::AngularVelocityWorld
         | Channel::AngularMomentumWorld
         | Channel::MomentWorld
-        | Channel::MomentumDrift => true,
+        | Channel::MomentumDrift
+        | Channel::Slip => true,
     }
 }
 

@@ -33,6 +33,9 @@ pub enum Channel {
     EnergyDrift,
     /// How far L is from what its law says, relative, in 1e-15.
     MomentumDrift,
+    /// How far the energy ellipsoid is from rolling on the invariable plane without slipping, relative, in 1e-15: the
+    /// speed of the body's point that touches the plane, in units of |ω| times its distance from the centre.
+    Slip,
 }
 
 /// One row of the table of channels.
@@ -65,7 +68,7 @@ const SCALAR: &[&str] = &[""];
 
 impl Channel {
     /// Every channel, in the order in which recordings hold them.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Attitude,
         Self::AngularVelocity,
         Self::AngularVelocityWorld,
@@ -82,6 +85,7 @@ impl Channel {
         Self::TotalEnergy,
         Self::EnergyDrift,
         Self::MomentumDrift,
+        Self::Slip,
     ];
 
     /// Name, title, unit and components.
@@ -104,6 +108,7 @@ impl Channel {
             Self::TotalEnergy => ("total_energy", "total energy", "J", "j", SCALAR),
             Self::EnergyDrift => ("energy_drift", "energy drift", "1e-15", "per_1e15", SCALAR),
             Self::MomentumDrift => ("momentum_drift", "momentum drift", "1e-15", "per_1e15", SCALAR),
+            Self::Slip => ("slip", "slip of the energy ellipsoid on the invariable plane", "1e-15", "per_1e15", SCALAR),
         };
         Row { name, title, unit, unit_suffix, components }
     }

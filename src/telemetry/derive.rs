@@ -104,6 +104,7 @@ impl Derivation {
             Channel::TotalEnergy => scalar(problem.total_energy(time, state).0),
             Channel::EnergyDrift => scalar(self.energy_drift(time, state)),
             Channel::MomentumDrift => scalar(self.momentum_drift(time, state)),
+            Channel::Slip => scalar(self.slip(state)),
             Channel::Attitude | Channel::RotationalEnergy => Vector3::zeros(),
         }
     }
@@ -118,6 +119,17 @@ impl Derivation {
         let momentum = momentum_in_world(self.problem.moments, state);
         let scale = self.initial_momentum.norm().max(momentum.norm());
         parts_per_1e15(law.violation(time, &self.initial_momentum, &momentum), scale)
+    }
+
+    /// Poinsot: the body's point where the energy ellipsoid touches the plane across L(0) is along I⁻¹ L(0), and at rest.
+    fn slip(&self, state: &State) -> f64 {
+        if !self.problem.loads.is_empty() {
+            return 0.0;
+        }
+        let momentum = state.attitude.to_body(&self.initial_momentum);
+        let touching = momentum.component_div(&self.problem.moments.vector());
+        let omega = state.angular_velocity.in_body();
+        parts_per_1e15(omega.cross(&touching).norm(), omega.norm() * touching.norm())
     }
 
     /// What was not propagated stays as it was at t = 0: it is constant, or no channel looks at it.

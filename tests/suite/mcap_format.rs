@@ -52,6 +52,8 @@ struct BodyState {
     energy_drift: Option<f64>,
     #[prost(double, optional, tag = "18")]
     momentum_drift: Option<f64>,
+    #[prost(double, optional, tag = "19")]
+    slip: Option<f64>,
 }
 
 #[derive(Clone, Copy, PartialEq, Message)]
@@ -103,6 +105,7 @@ impl BodyState {
             total_energy: scalar(Channel::TotalEnergy),
             energy_drift: scalar(Channel::EnergyDrift),
             momentum_drift: scalar(Channel::MomentumDrift),
+            slip: scalar(Channel::Slip),
         }
     }
 
@@ -127,6 +130,7 @@ impl BodyState {
             self.total_energy,
             self.energy_drift,
             self.momentum_drift,
+            self.slip,
         ];
         let numbers = tuples.into_iter().flatten().flat_map(|n| [n.first, n.second, n.third, n.fourth]);
         numbers.chain(scalars).flatten().map(f64::to_bits).collect()

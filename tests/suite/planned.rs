@@ -3,7 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use polhode::body::{AngularVelocity, Attitude, MassProperties, PrincipalMoments, State, Surface};
 use polhode::dynamics::Problem;
-use polhode::recording::picture::{Arrow, BodyPicture, Picture, Quantity};
+use polhode::recording::picture::{Arrow, BodyPicture, Picture, Poinsot, Quantity};
 use polhode::scenario::{Event, Grid, Path, Plan, PlannedBody, Provenance, nanoseconds};
 use polhode::telemetry::{BodySamples, Channel, Samples};
 
@@ -93,9 +93,11 @@ pub fn picture(plan: &Plan) -> Picture {
         arrows: quantities.into_iter().filter(|quantity| quantity.is_recorded(&body.channels)).map(arrow).collect(),
         spin_axis: Vector3::z(),
         position: Vector3::new(0.0, 0.0, 1.5),
+        poinsot: Poinsot::of(body),
     };
     Picture {
         stride: 4,
+        playback_speed: 1.0,
         last: plan.grid.len() - 1,
         eye: Vector3::new(3.0, 0.0, 1.0),
         target: Vector3::zeros(),

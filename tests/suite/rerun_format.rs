@@ -115,6 +115,8 @@ fn contents_count_every_entity() {
     assert_eq!(count(&contents, "/body/lower/plots/angular_velocity"), Some((5002, Some(0.0), Some(5.001))));
     assert_eq!(count(&contents, "/world/body/upper"), Some((1252, Some(0.0), Some(5.001))));
     assert_eq!(count(&contents, "/world/vectors/upper/moment"), Some((1252, Some(0.0), Some(5.001))));
+    assert_eq!(count(&contents, "/poinsot/upper/energy_ellipsoid"), Some((1252, Some(0.0), Some(5.001))));
+    assert_eq!(count(&contents, "/body_frame/upper/angular_momentum"), Some((1252, Some(0.0), Some(5.001))));
     assert_eq!(count(&contents, "/time/interval_s"), Some((1, None, None)));
     assert_eq!(count(&contents, "/log"), Some((2, Some(0.0), Some(2.5e-3))));
     assert!(contents.details.contains(&("application".into(), "polhode-pair".into())));

@@ -7,9 +7,13 @@ use std::path::Path as FilePath;
 use polhode::propagation::FixedStepMethod;
 use polhode::scenario::{Path, Plan, Scenario, library};
 use polhode::study::certify;
+use polhode::telemetry::Channel;
 
 /// More than this takes long to record and to load.
 const MOST_SAMPLES: u64 = 100_000;
+
+/// Largest slip seen, doubled, 1e-15.
+const MOST_SLIP: f64 = 9.0;
 
 fn plan(name: &str) -> Plan {
     let scenario = Scenario::named(name, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
@@ -45,6 +49,24 @@ fn scenes_say_what_they_show_and_where_it_comes_from() {
         assert!(plan.grid.len() <= MOST_SAMPLES, "{name}: {} samples", plan.grid.len());
         assert!(plan.checks.len() >= 3, "{name}: {} checks", plan.checks.len());
     }
+}
+
+/// An ulp or two of each of attitude, ω and I⁻¹L: slender bodies turn the most of them into slip.
+#[test]
+fn energy_ellipsoids_of_free_bodies_roll_without_slipping() {
+    let mut rolling = 0;
+    for name in library::names() {
+        let plan = plan(name);
+        let times: Vec<f64> = (0..=200).map(|part| plan.grid.end() * f64::from(part) / 200.0).collect();
+        for body in plan.bodies.iter().filter(|body| body.problem.loads.is_empty()) {
+            let samples = body.sample(&[Channel::Slip], &times).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let slips = &samples.channel(Channel::Slip).expect("watched")[0];
+            let largest = slips.iter().copied().fold(0.0, f64::max);
+            assert!(largest <= MOST_SLIP, "{name}: {}: {largest} × 1e-15", body.name);
+            rolling += 1;
+        }
+    }
+    assert!(rolling >= 9, "{rolling} bodies");
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! What a run looks like, decided once for all picture formats: scales, colours, camera, rate.
 
 mod camera;
+mod pace;
+mod poinsot;
 mod preview;
 pub(super) mod scale;
 
@@ -8,11 +10,16 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::telemetry::{BodySamples, Channel};
 
+pub use poinsot::Poinsot;
+
 /// How to draw a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
-    /// Every how many samples the moving parts are drawn: 60 Hz of simulated time are enough for the eye.
+    /// Every how many samples the moving parts are drawn: at most 60 pictures in a second of playback, unless a body turns
+    /// so fast that it takes more to follow it.
     pub stride: u64,
+    /// Seconds of motion in a second of playback.
+    pub playback_speed: f64,
     /// Number of the run's last sample, which is drawn whatever the stride.
     pub last: u64,
     /// Where the camera stands, world axes, m.
@@ -36,6 +43,8 @@ pub struct BodyPicture {
     pub spin_axis: Vector3<f64>,
     /// Of the reference point, at every sample; where it does not move.
     pub position: Vector3<f64>,
+    /// Its rolling ellipsoid, if it turns freely and what is recorded tells how.
+    pub poinsot: Option<Poinsot>,
 }
 
 /// One vector as an arrow.
@@ -115,7 +124,7 @@ pub fn attitude(samples: &BodySamples, index: usize) -> Option<UnitQuaternion<f6
 }
 
 /// A vector channel's value at sample `index`.
-fn vector(columns: &[Vec<f64>], index: usize) -> Vector3<f64> {
+pub(super) fn vector(columns: &[Vec<f64>], index: usize) -> Vector3<f64> {
     Vector3::from_fn(|row, _| columns[row][index])
 }
 

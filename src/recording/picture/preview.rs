@@ -1,15 +1,13 @@
 use nalgebra::Vector3;
 
 use super::camera::{self, Room};
-use super::{Arrow, BodyPicture, Picture, Quantity, scale};
+use super::{Arrow, BodyPicture, Picture, Poinsot, Quantity, pace, scale};
 use crate::propagation::PropagationError;
 use crate::scenario::{Plan, PlannedBody};
 use crate::telemetry::{BodySamples, Channel};
 
 /// At how many times the run is looked over.
 const LOOKS: u64 = 400;
-/// Moving parts are drawn no more often than this, Hz of simulated time: more than the eye and viewers follow.
-const PICTURE_RATE: f64 = 60.0;
 /// Longest length in extents, and colour. ω and L mostly point nearly the same way: their lengths tell them apart.
 const QUANTITIES: [(Quantity, f64, [u8; 3]); 4] = [
     (Quantity::AngularVelocity, 1.3, [240, 150, 20]),
@@ -19,7 +17,7 @@ const QUANTITIES: [(Quantity, f64, [u8; 3]); 4] = [
 ];
 /// How far the picture of a body reaches, in extents: arrows are seldom at their longest, and point out of the picture
 /// or into it as often as along it.
-const REACH: f64 = 2.0;
+const REACH: f64 = 2.2;
 /// Bodies in the order of the scene: all pale, so that the arrows stand out.
 const BODY_COLOURS: [[u8; 4]; 4] =
     [[196, 200, 206, 255], [143, 170, 200, 255], [200, 172, 140, 255], [158, 184, 150, 255]];
@@ -56,14 +54,11 @@ impl Picture {
         let (eye, target) = camera::place(&rooms);
         let bodies = plan.bodies.iter().zip(&looks).zip(BODY_COLOURS.iter().cycle());
         let bodies = bodies.map(|((body, look), colour)| draw(body, look, *colour)).collect();
-        Ok(Self { stride: stride(plan.grid.mean_interval()), last, eye, target, bodies })
+        let playback_speed = pace::playback_speed(plan.grid.end() - plan.grid.time(0));
+        let fastest = looks.iter().map(|look| look.largest[0]).fold(0.0, f64::max);
+        let stride = pace::stride(plan.grid.mean_interval(), playback_speed, fastest);
+        Ok(Self { stride, playback_speed, last, eye, target, bodies })
     }
-}
-
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1 … 1e9")]
-fn stride(interval: f64) -> u64 {
-    // The hair less keeps a tenth of 1/60 s from being a little too short ten times.
-    (1.0 / PICTURE_RATE / interval * (1.0 - 1e-9)).ceil().clamp(1.0, 1e9) as u64
 }
 
 fn look(body: &PlannedBody, times: &[f64]) -> Result<Look, PropagationError> {
@@ -103,6 +98,7 @@ fn draw(body: &PlannedBody, look: &Look, colour: [u8; 4]) -> BodyPicture {
         arrows: arrows.map(arrow).collect(),
         spin_axis: spin_axis(body),
         position: body.problem.initial.position,
+        poinsot: Poinsot::of(body),
     }
 }
 

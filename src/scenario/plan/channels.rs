@@ -46,8 +46,16 @@ pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> 
         Channel::MomentumDrift if problem.momentum_law().is_none() => {
             Some("has no meaning here: these torques leave no component of L with a known law")
         }
+        Channel::Slip if !rolls(problem) => {
+            Some("has no meaning here: only a body that turns without loads rolls on the invariable plane")
+        }
         _ => None,
     }
+}
+
+/// Whether Poinsot's construction describes the motion.
+fn rolls(problem: &Problem) -> bool {
+    problem.loads.is_empty() && problem.initial.angular_velocity.in_body().norm() > 0.0
 }
 
 fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
@@ -70,6 +78,7 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         Channel::PotentialEnergy | Channel::TotalEnergy => has_potential && conserves,
         Channel::EnergyDrift => conserves,
         Channel::MomentumDrift => problem.momentum_law().is_some(),
+        Channel::Slip => rolls(problem),
         Channel::AngularVelocityWorld | Channel::AngularMomentumBody | Channel::MomentWorld => false,
     };
     Channel::ALL.into_iter().filter(is_interesting).collect()

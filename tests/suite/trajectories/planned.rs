@@ -47,7 +47,7 @@ fn thrown(name: &str) -> BodySpec {
 
 fn line(body: &BodySpec) -> String {
     // A thruster leaves neither energy nor momentum a law.
-    let drifts = [Channel::EnergyDrift, Channel::MomentumDrift];
+    let drifts = [Channel::EnergyDrift, Channel::MomentumDrift, Channel::Slip];
     let is_free = body.force.constant_body.is_empty();
     let channels = Channel::ALL.into_iter().filter(|channel| is_free || !drifts.contains(channel));
     let scenario = Scenario {

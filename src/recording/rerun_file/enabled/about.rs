@@ -3,7 +3,6 @@ use std::fmt::Write as _;
 use re_sdk_types::archetypes::{TextDocument, TextLog};
 use re_sdk_types::components::TextLogLevel;
 
-use super::layout::playback_speed;
 use super::trail::Cut;
 use crate::recording::picture::Picture;
 use crate::scenario::{Plan, PlannedBody};
@@ -54,7 +53,15 @@ fn legend(plan: &Plan, picture: &Picture) -> String {
         };
         let _ = writeln!(text, "- **Yellow trail**: the tip of the body's spin axis, {reach}");
     }
-    let _ = writeln!(text, "- **Playback**: {} of motion in a second", duration(playback_speed(plan)));
+    if picture.bodies.iter().any(|drawing| drawing.poinsot.is_some()) {
+        text += "- **Poinsot**: the ellipsoid of all ω that have the body's energy rolls, without slipping, on a plane \
+                 that stands still across L, here below it. They touch at ω (orange), which draws the polhode (pink) on \
+                 the body and the herpolhode (yellow) on the plane\n\
+                 - **L in the body**: the body sees L move on a sphere of one size (blue) and on the ellipsoid of its \
+                 energy (grey), and so along their crossing (pink). A pair of closed curves about an axis: it stays near \
+                 it; long curves from pole to pole: it flips\n";
+    }
+    let _ = writeln!(text, "- **Playback**: {} of motion in a second", duration(picture.playback_speed));
     text
 }
 

@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use re_chunk::external::arrow::array::{Float64Array, ListArray};
 use re_chunk::external::arrow::buffer::OffsetBuffer;
 use re_chunk::external::arrow::datatypes::{DataType, Field};
@@ -8,6 +8,8 @@ use re_chunk::{TimeColumn, Timeline};
 use re_log_types::TimeType;
 use re_sdk_types::SerializedComponentColumn;
 use re_sdk_types::archetypes::Scalars;
+use re_sdk_types::components::RotationQuat;
+use re_sdk_types::datatypes::Quaternion;
 
 /// Name of the timeline of simulated time.
 pub(super) const SIM_TIME: &str = "sim_time";
@@ -48,4 +50,10 @@ pub(super) fn single(vector: &Vector3<f64>) -> [f32; 3] {
 #[expect(clippy::cast_possible_truncation, reason = "pictures need no more")]
 pub(super) const fn narrow(value: f64) -> f32 {
     value as f32
+}
+
+/// For the picture, which is f32.
+pub(super) fn quaternion(turn: UnitQuaternion<f64>) -> RotationQuat {
+    let [x, y, z, w] = [turn.i, turn.j, turn.k, turn.w].map(narrow);
+    RotationQuat(Quaternion::from_xyzw([x, y, z, w]))
 }

@@ -27,14 +27,26 @@ pub(super) fn write<W: Write>(
     picture: &Picture,
 ) -> Result<(), RecordingError> {
     let mut blueprint = Blueprint::new(stream, store);
-    let scene = scene(&mut blueprint, plan, picture)?;
-    let words = words(&mut blueprint, plan)?;
-    let left = blueprint.container(&Container {
-        kind: ContainerKind::Vertical,
-        name: "",
-        parts: &[scene, words],
-        shares: &[5.0, 2.0],
-    })?;
+    let trace = trace_range(Cut::new(plan, picture));
+    let mut scene = scene(&mut blueprint, plan, picture, &trace)?;
+    let mut words = words(&mut blueprint, plan)?;
+    let mut shares = [5.0, 2.0];
+    let mut construction = super::poinsot_views::write(&mut blueprint, plan, picture, &trace)?;
+    let tabs = |parts| Container { kind: ContainerKind::Tabs, name: "", parts, shares: &[] };
+    if !construction.is_empty() && plan.bodies.len() > 1 {
+        // Each body has a view: they need the room of the scene.
+        construction.insert(0, scene);
+        scene = blueprint.container(&tabs(&construction))?;
+    } else if !construction.is_empty() {
+        let construction = blueprint.container(&tabs(&construction))?;
+        let parts = [construction, words];
+        let row = Container { kind: ContainerKind::Horizontal, name: "", parts: &parts, shares: &[] };
+        words = blueprint.container(&row)?;
+        shares = [4.0, 3.0];
+    }
+    let parts = [scene, words];
+    let left = Container { kind: ContainerKind::Vertical, name: "", parts: &parts, shares: &shares };
+    let left = blueprint.container(&left)?;
     let right = super::plot_views::write(&mut blueprint, plan)?;
     let columns: Vec<_> = [Some(left), right].into_iter().flatten().collect();
     let root = blueprint.container(&Container {
@@ -43,7 +55,7 @@ pub(super) fn write<W: Write>(
         parts: &columns,
         shares: &[3.0, 2.0][..columns.len()],
     })?;
-    blueprint.root(&root, playback_speed(plan))
+    blueprint.root(&root, picture.playback_speed)
 }
 
 /// The ground that the picture stands on, so that the eye knows up from down.
@@ -75,7 +87,12 @@ impl Floor {
 }
 
 /// The picture: camera, floor, and how much of the trails is shown.
-fn scene<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan, picture: &Picture) -> Result<Part, RecordingError> {
+fn scene<W: Write>(
+    blueprint: &mut Blueprint<'_, W>,
+    plan: &Plan,
+    picture: &Picture,
+    trace: &VisibleTimeRange,
+) -> Result<Part, RecordingError> {
     let contents = ["/world/**".to_owned()];
     let view = blueprint.view(&View { class: "3D", name: &plan.title, origin: "/world", contents: &contents })?;
     let eye = EyeControls3D::new()
@@ -96,7 +113,7 @@ fn scene<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan, picture: &Pict
         .with_stroke_width(1.0)
         .with_color(Color::from_unmultiplied_rgba(red, green, blue, opacity));
     blueprint.set(&view.property("LineGrid3D"), &grid)?;
-    let range = VisibleTimeRanges::new([trace_range(Cut::new(plan, picture))]);
+    let range = VisibleTimeRanges::new([trace.clone()]);
     for body in &plan.bodies {
         let entities = BodyEntities::new(&body.name);
         blueprint.set(&view.overridden(&entities.trail), &range)?;
@@ -126,15 +143,6 @@ fn words<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Part
     let contents = ["/log".to_owned()];
     let log = blueprint.view(&View { class: "TextLog", name: "Events", origin: "/log", contents: &contents })?;
     blueprint.container(&Container { kind: ContainerKind::Tabs, name: "", parts: &[about, log], shares: &[] })
-}
-
-/// Seconds of motion in a second of playback: as it is if that takes 10 s to 2 min, else 20 s to 50 s in all.
-pub(super) fn playback_speed(plan: &Plan) -> f64 {
-    let duration = plan.grid.end() - plan.grid.time(0);
-    if !duration.is_finite() || duration <= 0.0 || (10.0..=120.0).contains(&duration) {
-        return 1.0;
-    }
-    round_number(duration / 20.0)
 }
 
 /// The nearest of 1, 2, 5 × 10ⁿ below.

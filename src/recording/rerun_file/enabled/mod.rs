@@ -5,6 +5,7 @@
 //!   time of a sample is `step · interval_s`, rounded once, as [`crate::scenario::Grid::time`] says.
 //! * `/world/…`: the picture, f32, at the picture's rate: `body/<name>` with its shape and axes, `vectors/<name>/…`,
 //!   `trail/<name>`, `path/<name>`, `axes`.
+//! * `/poinsot/<name>/…`, `/body_frame/<name>/…`: Poinsot's construction of a body that turns freely, f32, at the same rate.
 //! * `/about`, `/log`: words.
 //!
 //! Timelines: `sim_time`, ns from the start of the run, and `step`, the number of the sample.
@@ -20,7 +21,10 @@ mod moving;
 mod palette;
 mod plot_views;
 mod plots;
+mod poinsot;
+mod poinsot_views;
 mod read;
+mod rolling;
 mod statics;
 mod stream;
 mod trail;

@@ -1,11 +1,10 @@
 use std::io::Write;
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 use re_sdk_types::archetypes::{Arrows3D, Points3D, Transform3D};
-use re_sdk_types::components::RotationQuat;
-use re_sdk_types::datatypes::Quaternion;
 
-use super::columns::{narrow, single, timelines};
+use super::columns::{quaternion, single, timelines};
+use super::rolling::Rolling;
 use super::statics::{BodyEntities, LABEL, TIP};
 use super::stream::{Rows, Store, Stream};
 use super::trail::{Cut, Trail};
@@ -40,6 +39,7 @@ struct MovingBody {
     leaves_path: bool,
     trail: Trail,
     path: Trail,
+    rolling: Option<Rolling>,
 }
 
 impl Moving {
@@ -69,6 +69,9 @@ impl Moving {
             body.write_transform(stream, store, rows, (&self.drawn.indices, samples))?;
             body.write_arrows(stream, store, rows, (&self.drawn.indices, samples))?;
             body.write_traces(stream, store, &self.drawn, samples)?;
+            if let Some(rolling) = &mut body.rolling {
+                rolling.write(stream, store, rows, (&self.drawn.indices, samples), self.drawn.when())?;
+            }
         }
         Ok(())
     }
@@ -82,6 +85,11 @@ impl Drawn {
         self.stamps.extend(self.indices.iter().map(|index| samples.stamps_ns[*index]));
         self.steps.clear();
         self.steps.extend(self.indices.iter().map(|index| (samples.first_index + *index as u64).cast_signed()));
+    }
+
+    /// Stamp (ns) and number of each.
+    fn when(&self) -> impl Iterator<Item = (i64, i64)> {
+        self.stamps.iter().copied().zip(self.steps.iter().copied())
     }
 }
 
@@ -100,6 +108,7 @@ impl MovingBody {
             leaves_path: body.moves && body.channels.contains(&Channel::Position),
             trail: Trail::new(entities.trail.clone(), cut),
             path: Trail::new(entities.path.clone(), cut),
+            rolling: drawing.poinsot.as_ref().map(|poinsot| Rolling::new(&body.name, poinsot, cut)),
             entities,
         }
     }
@@ -176,25 +185,18 @@ impl MovingBody {
         samples: &BodySamples,
     ) -> Result<(), RecordingError> {
         let places: Vec<_> = drawn.indices.iter().map(|index| self.position(samples, *index)).collect();
-        let when = || drawn.stamps.iter().copied().zip(drawn.steps.iter().copied());
         if self.has_attitude {
             let tips =
                 drawn.indices.iter().zip(&places).filter_map(|(index, place)| {
                     attitude(samples, *index).map(|turn| single(&(place + turn * self.tip)))
                 });
-            let points = when().zip(tips).map(|((stamp, step), point)| (stamp, step, point));
+            let points = drawn.when().zip(tips).map(|((stamp, step), point)| (stamp, step, point));
             self.trail.write(stream, store, points)?;
         }
         if self.leaves_path {
-            let points = when().zip(&places).map(|((stamp, step), place)| (stamp, step, single(place)));
+            let points = drawn.when().zip(&places).map(|((stamp, step), place)| (stamp, step, single(place)));
             self.path.write(stream, store, points)?;
         }
         Ok(())
     }
-}
-
-/// For the picture, which is f32.
-fn quaternion(turn: UnitQuaternion<f64>) -> RotationQuat {
-    let [x, y, z, w] = [turn.i, turn.j, turn.k, turn.w].map(narrow);
-    RotationQuat(Quaternion::from_xyzw([x, y, z, w]))
 }

@@ -1,5 +1,7 @@
 //! Okabe and Ito's colours, told apart with any kind of colour vision, and the greys between them.
 
+use re_sdk_types::components::Color;
+
 /// Of x, in plots and of axes.
 pub(super) const X: [u8; 3] = [213, 94, 0];
 /// Of y.
@@ -24,6 +26,22 @@ pub(super) const GRID: [u8; 4] = [140, 150, 160, 50];
 pub(super) const BACKGROUND: [u8; 3] = [21, 23, 27];
 /// Of the line at zero in plots.
 pub(super) const ZERO: [u8; 3] = [90, 90, 90];
+
+/// Of ω, as its arrow.
+pub(super) const RATE: [u8; 3] = [240, 150, 20];
+/// Of L, as its arrow.
+pub(super) const MOMENTUM: [u8; 3] = [0, 145, 230];
+/// Of the curve that ω and L draw in the body.
+pub(super) const POLHODE: [u8; 3] = [235, 130, 190];
+/// Of the energy ellipsoids.
+pub(super) const ENERGY: [u8; 3] = [196, 200, 206];
+/// Of the sphere of all L of one size.
+pub(super) const SPHERE: [u8; 3] = [60, 120, 170];
+
+/// As the viewer takes it.
+pub(super) fn opaque([red, green, blue]: [u8; 3]) -> Color {
+    Color::from_rgb(red, green, blue)
+}
 
 /// Of the scalars of body `number`, by number of curve: a hue for each body, darker from curve to curve.
 pub(super) fn of_body(number: usize, curve: usize) -> [u8; 3] {

@@ -19,7 +19,7 @@ const PLOTS: [(&str, &[Channel]); 12] = [
         "energy (J)",
         &[Channel::RotationalEnergy, Channel::TranslationalEnergy, Channel::PotentialEnergy, Channel::TotalEnergy],
     ),
-    ("drift, relative (1e-15)", &[Channel::EnergyDrift, Channel::MomentumDrift]),
+    ("drift, relative (1e-15)", &[Channel::EnergyDrift, Channel::MomentumDrift, Channel::Slip]),
     ("position in world axes (m)", &[Channel::Position]),
     ("velocity in world axes (m/s)", &[Channel::Velocity]),
     ("force in world axes (N)", &[Channel::ForceWorld]),

@@ -111,7 +111,7 @@ fn curves(channel: Channel, number: usize, plan: &Plan) -> SeriesLines {
 fn companion(channel: Channel) -> usize {
     match channel {
         Channel::TranslationalEnergy | Channel::MomentumDrift => 1,
-        Channel::PotentialEnergy => 2,
+        Channel::PotentialEnergy | Channel::Slip => 2,
         Channel::TotalEnergy => 3,
         _ => 0,
     }
@@ -133,6 +133,7 @@ fn symbol(channel: Channel) -> &'static str {
         Channel::TotalEnergy => "total",
         Channel::EnergyDrift => "energy",
         Channel::MomentumDrift => "momentum",
+        Channel::Slip => "slip",
     }
 }
 
@@ -141,7 +142,7 @@ fn colours(channel: Channel) -> &'static [[u8; 3]] {
     match channel {
         Channel::Attitude => &[palette::W, palette::X, palette::Y, palette::Z],
         Channel::RotationalEnergy | Channel::EnergyDrift => &[palette::X],
-        Channel::TranslationalEnergy => &[palette::Y],
+        Channel::TranslationalEnergy | Channel::Slip => &[palette::Y],
         Channel::PotentialEnergy | Channel::MomentumDrift => &[palette::Z],
         Channel::TotalEnergy => &[palette::W],
         _ => &[palette::X, palette::Y, palette::Z],

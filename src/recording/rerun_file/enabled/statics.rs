@@ -2,12 +2,13 @@ use std::io::Write;
 
 use nalgebra::Vector3;
 use re_sdk_types::archetypes::{Arrows3D, LineStrips3D, Mesh3D, Points3D, RecordingInfo, ViewCoordinates};
-use re_sdk_types::components::{Color, Radius};
+use re_sdk_types::components::Radius;
 use re_sdk_types::datatypes::Rgba32;
 
 use super::columns::{narrow, single};
 use super::layout::Floor;
 use super::palette;
+use super::poinsot::PoinsotEntities;
 use super::stream::{Store, Stream};
 use crate::recording::RecordingError;
 use crate::recording::picture::{Arrow, BodyPicture, Picture, Quantity};
@@ -86,6 +87,9 @@ pub(super) fn write<W: Write>(
                 body_axes(drawing).write_names(stream, store, &entities.axes)?;
             }
         }
+        if let Some(poinsot) = &drawing.poinsot {
+            super::poinsot::write(stream, store, poinsot, &PoinsotEntities::new(&body.name))?;
+        }
         for arrow in &drawing.arrows {
             let entity = entities.arrow(arrow.quantity);
             // Several bodies' scales would cover each other; they stand in the text.
@@ -128,7 +132,7 @@ fn names(plan: &Plan, picture: &Picture) -> Points3D {
         .unzip();
     Points3D::new(places)
         .with_radii([Radius::new_ui_points(0.0)])
-        .with_colors([rgb(palette::NAMES)])
+        .with_colors([palette::opaque(palette::NAMES)])
         .with_labels(names)
         .with_show_labels(true)
 }
@@ -157,7 +161,7 @@ impl Axes {
         let arrows = Arrows3D::from_vectors(axes.map(|axis| single(&(axis * self.length))))
             .with_origins([single(&self.origin); 3])
             .with_radii([scene(self.radius)])
-            .with_colors(self.colours.map(rgb));
+            .with_colors(self.colours.map(palette::opaque));
         stream.once(store, entity, &[], &arrows)
     }
 
@@ -169,20 +173,20 @@ impl Axes {
 }
 
 fn arrow_style(arrow: &Arrow, extent: f64) -> Arrows3D {
-    Arrows3D::update_fields().with_radii([scene(extent * ARROW)]).with_colors([rgb(arrow.colour)])
+    Arrows3D::update_fields().with_radii([scene(extent * ARROW)]).with_colors([palette::opaque(arrow.colour)])
 }
 
 /// Points too small to see, with words at them. An arrow's own label is at its middle, inside the body.
 fn label_style<const N: usize>(labels: [&str; N], colours: [[u8; 3]; N]) -> Points3D {
     Points3D::update_fields()
         .with_radii([Radius::new_ui_points(0.0)])
-        .with_colors(colours.map(|colour| rgb(lighter(colour))))
+        .with_colors(colours.map(|colour| palette::opaque(lighter(colour))))
         .with_labels(labels)
         .with_show_labels(true)
 }
 
 fn line_style(colour: [u8; 3], radius: f64) -> LineStrips3D {
-    LineStrips3D::update_fields().with_colors([rgb(colour)]).with_radii([scene(radius)])
+    LineStrips3D::update_fields().with_colors([palette::opaque(colour)]).with_radii([scene(radius)])
 }
 
 /// In metres, as far as the viewer can: it packs radii into half precision. Larger ones are in points of the screen.
@@ -194,10 +198,6 @@ fn scene(radius: f64) -> Radius {
 /// Half way to white: a colour that shows as an arrow is too dark for words.
 fn lighter(colour: [u8; 3]) -> [u8; 3] {
     colour.map(|part| part / 2 + 127)
-}
-
-fn rgb([red, green, blue]: [u8; 3]) -> Color {
-    Color::from_rgb(red, green, blue)
 }
 
 fn rgba([red, green, blue, opacity]: [u8; 4]) -> Rgba32 {
