@@ -5,7 +5,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 const EXAMPLES: &str = "\
 Examples:
   polhode list                                    what scenes there are
-  polhode run dzhanibekov                         recordings/dzhanibekov.mcap and .rrd
+  polhode run dzhanibekov                         recordings/dzhanibekov.mcap, .layout.json and .rrd
   polhode run --all --out out --force             every scene
   polhode run my_scene.toml --format csv          a scene of your own, as a table
   polhode run dzhanibekov --duration 90 --sample-every 0.001
@@ -176,7 +176,7 @@ impl Overrides {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum FileFormat {
-    /// For Foxglove and Lichtblick, and to keep.
+    /// For Foxglove and Lichtblick, and to keep; beside it NAME.layout.json, the layout to import there.
     Mcap,
     /// For Rerun.
     Rrd,

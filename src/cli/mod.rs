@@ -6,6 +6,7 @@ mod args;
 mod bench;
 mod execute;
 mod inspect;
+mod layout;
 mod list;
 mod output;
 mod plan;

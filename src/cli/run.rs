@@ -8,11 +8,12 @@ use thiserror::Error;
 
 use super::args::{FileFormat, RunArguments};
 use super::execute::{Outcome, scenario};
+use super::layout;
 use super::output::{print, print_json, remark};
 use super::progress::Progress;
 use super::report::Report;
 use crate::propagation::PropagationError;
-use crate::recording::{Recorder, RecordingError};
+use crate::recording::{PartFile, Recorder, RecordingError};
 use crate::scenario::{Plan, ScenarioError, library};
 use crate::study::certify;
 
@@ -107,6 +108,7 @@ fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Resu
     let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));
     let paths: Vec<PathBuf> = arguments.format.iter().map(path).collect();
     let mut recorder = Recorder::create(&plan, &paths, arguments.force)?;
+    let layout = layout_file(&plan, arguments)?;
     let mut run = plan.start()?;
     while let Some(samples) = run.next_batch()? {
         recorder.write(samples)?;
@@ -114,9 +116,20 @@ fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Resu
     }
     let effort = run.effort();
     let files = recorder.finish()?;
+    if let Some(file) = layout {
+        layout::write(&plan, file)?;
+    }
     bar.finish_and_clear();
     let wall = started.elapsed();
     let checks = plan.measure_checks()?;
     drop(run);
     Ok(Report { plan, files, effort, wall, checks })
+}
+
+/// The layout beside an `.mcap`, made before the run so that a name that is taken is refused before it too.
+fn layout_file(plan: &Plan, arguments: &RunArguments) -> Result<Option<PartFile>, RecordingError> {
+    if !arguments.format.contains(&FileFormat::Mcap) {
+        return Ok(None);
+    }
+    PartFile::create(&arguments.out.join(format!("{}.layout.json", plan.name)), arguments.force).map(Some)
 }

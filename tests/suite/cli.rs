@@ -109,6 +109,22 @@ fn a_channel_list_is_all_that_is_recorded() {
 }
 
 #[test]
+fn a_layout_beside_an_mcap_names_what_is_recorded() {
+    let folder = folder_with(SCENE);
+    let arguments = ["run", "scene.toml", "--format", "mcap", "--channels", "attitude,angular_velocity,slip"];
+    assert_eq!(polhode(folder.path(), &arguments).status.code(), Some(0));
+    let path = folder.path().join("recordings/scene.layout.json");
+    let layout: Value = serde_json::from_slice(&fs::read(&path).expect("it is there")).expect("it is JSON");
+    let panels = layout["configById"].as_object().expect("panels");
+    let paths = panels.values().filter_map(|panel| panel["paths"].as_array()).flatten();
+    let fields: Vec<_> =
+        paths.filter_map(|path| path["value"].as_str()?.split_once("/state.")).map(|(_, f)| f).collect();
+    assert_eq!(fields, ["angular_velocity.x", "angular_velocity.y", "angular_velocity.z", "slip"]);
+    let refused = polhode(folder.path(), &arguments);
+    assert_eq!(refused.status.code(), Some(2), "neither file is overwritten");
+}
+
+#[test]
 fn bad_scenes_and_usage_exit_with_two() {
     let folder = folder_with("duration_s = -1.0\nsample_every_s = 0.1\n");
     let refused = polhode(folder.path(), &["run", "scene.toml"]);
@@ -260,7 +276,7 @@ fn threads_leave_every_byte_of_a_recording() {
             .map(|path| (path.file_name().map(ToOwned::to_owned), fs::read(&path).expect("a recording")))
             .collect();
         files.sort();
-        assert_eq!(files.len(), 2 * scenes.len());
+        assert_eq!(files.len(), 3 * scenes.len(), "two recordings and a layout each");
         files
     };
     let alone = record("1");

@@ -109,7 +109,9 @@ impl CheckPlan {
         })
     }
 
-    fn name(&self, bodies: &[PlannedBody]) -> String {
+    /// What is measured, of which of several bodies.
+    #[must_use]
+    pub fn name(&self, bodies: &[PlannedBody]) -> String {
         let what = match &self.kind {
             CheckKind::FlipPeriod => "flip period".to_owned(),
             CheckKind::Energy { .. } => "energy drift".to_owned(),

@@ -17,6 +17,7 @@ pub(super) fn document(plan: &Plan, picture: &Picture) -> TextDocument {
     for body in &plan.bodies {
         text += &row(body);
     }
+    text += &checks(plan);
     text += &certificates(plan);
     text += &provenance(plan);
     let _ = writeln!(text, "\nScene `{}`, recorded by polhode {}.", plan.name, env!("CARGO_PKG_VERSION"));
@@ -70,6 +71,19 @@ fn row(body: &PlannedBody) -> String {
     let moments: Vec<_> = body.properties.moments.vector().iter().map(|moment| number(*moment)).collect();
     let reason = body.reason.replace('|', "∣");
     format!("| {} | {mass} | {} | {} | {reason} |\n", body.name, moments.join(", "), body.path.name())
+}
+
+/// What the motion is held to; `polhode run` measures it.
+fn checks(plan: &Plan) -> String {
+    if plan.checks.is_empty() {
+        return String::new();
+    }
+    let mut text = "\n#### What it is held to\n\n| check | expected | at most off by |\n|---|---|---|\n".to_owned();
+    for check in &plan.checks {
+        let (name, unit) = (check.name(&plan.bodies), check.unit);
+        let _ = writeln!(text, "| {name} | {} {unit} | {} {unit} |", check.expected, number(check.tolerance));
+    }
+    text
 }
 
 /// The certificate of a body as plain text, a fact a line, for programs; `None` where nothing was measured.

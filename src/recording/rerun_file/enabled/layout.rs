@@ -142,7 +142,8 @@ fn words<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Part
     }
     let contents = ["/log".to_owned()];
     let log = blueprint.view(&View { class: "TextLog", name: "Events", origin: "/log", contents: &contents })?;
-    blueprint.container(&Container { kind: ContainerKind::Tabs, name: "", parts: &[about, log], shares: &[] })
+    let (parts, shares) = ([about, log], [3.0, 2.0]);
+    blueprint.container(&Container { kind: ContainerKind::Horizontal, name: "", parts: &parts, shares: &shares })
 }
 
 /// The nearest of 1, 2, 5 × 10ⁿ below.
