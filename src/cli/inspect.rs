@@ -1,12 +1,12 @@
 use std::io;
 
-use serde_json::json;
+use serde_json::{Map, Value, json};
 
 use super::args::InspectArguments;
 use super::execute::Outcome;
 use super::output::{print, print_json, remark};
 use super::table::{Table, grouped};
-use crate::recording::{Contents, contents};
+use crate::recording::{Contents, Entry, Range, Survey, contents};
 
 /// Shows what is in a recording.
 pub fn execute(arguments: &InspectArguments) -> io::Result<Outcome> {
@@ -47,13 +47,30 @@ fn as_text(file: &str, contents: &Contents) -> String {
     }
     text.push('\n');
     text.push_str(&entries.render("  "));
+    if let Some(survey) = &contents.survey {
+        text.push('\n');
+        text.push_str(&ranges(survey));
+    }
     text
 }
 
-fn as_json(contents: &Contents) -> serde_json::Value {
+/// Between which values each column is.
+fn ranges(survey: &Survey) -> String {
+    let mut table = Table::default();
+    table.row(["body", "column", "unit", "least", "greatest"]);
+    for range in &survey.ranges {
+        let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |value| format!("{value:?}"));
+        let body = survey.heading.bodies.get(range.body).map_or("", |body| &body.name);
+        let row = range.channel.row();
+        table.row([body, &range.name(), row.unit, &number(range.least), &number(range.greatest)]);
+    }
+    table.render("  ")
+}
+
+fn as_json(contents: &Contents) -> Value {
     let details: Vec<_> =
         contents.details.iter().map(|(name, value)| json!({ "name": name, "value": value })).collect();
-    let entry = |entry: &crate::recording::Entry| {
+    let entry = |entry: &Entry| {
         json!({
             "name": entry.name,
             "kind": entry.kind,
@@ -63,5 +80,34 @@ fn as_json(contents: &Contents) -> serde_json::Value {
         })
     };
     let entries: Vec<_> = contents.entries.iter().map(entry).collect();
-    json!({ "format": contents.format, "details": details, "entries": entries })
+    let survey = contents.survey.as_ref().map(survey_as_json);
+    json!({ "format": contents.format, "details": details, "entries": entries, "recording": survey })
+}
+
+fn survey_as_json(survey: &Survey) -> Value {
+    let facts = |facts: &[(String, String)]| -> Value {
+        facts.iter().map(|(name, value)| (name.clone(), Value::from(value.as_str()))).collect::<Map<_, _>>().into()
+    };
+    let column = |range: &Range| {
+        let row = range.channel.row();
+        json!({
+            "name": range.name(),
+            "channel": row.name,
+            "title": row.title,
+            "unit": row.unit,
+            "least": range.least,
+            "greatest": range.greatest,
+        })
+    };
+    let bodies = survey.heading.bodies.iter().enumerate().map(|(number, body)| {
+        let columns: Vec<_> = survey.ranges.iter().filter(|range| range.body == number).map(column).collect();
+        json!({ "name": body.name, "certificate": facts(&body.certificate), "columns": columns })
+    });
+    json!({
+        "samples": survey.samples,
+        "from_s": survey.from_s,
+        "to_s": survey.to_s,
+        "provenance": facts(&survey.heading.provenance),
+        "bodies": bodies.collect::<Vec<_>>(),
+    })
 }

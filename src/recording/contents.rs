@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use super::format::{Format, is_part};
-use super::{RecordingError, csv_file, mcap_file, rerun_file};
+use super::{Range, Recording, RecordingError, Survey, mcap_file, rerun_file};
 
 /// What is in a recording, for people: which parts, how many of each, over which time.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +12,8 @@ pub struct Contents {
     pub details: Vec<(String, String)>,
     /// Topics, entities or columns.
     pub entries: Vec<Entry>,
+    /// Its columns, read from end to end, if this crate wrote it.
+    pub survey: Option<Survey>,
 }
 
 /// One topic, entity or column.
@@ -30,15 +32,56 @@ pub struct Entry {
 }
 
 /// Looks into a recording, the format by extension. `NAME.mcap.part` and the like are looked into as far as they go;
-/// under its final name a recording must be whole.
+/// under its final name a recording must be whole. Of other programs' recordings the parts are told, not the columns.
 ///
 /// # Errors
 /// If it cannot be read, is damaged or incomplete, or of a format that this build leaves out.
 pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
     let name = if is_part(path) { path.with_extension("") } else { path.into() };
-    match Format::of(&name)? {
-        Format::Mcap => mcap_file::contents(path),
-        Format::Rrd => rerun_file::contents(path),
-        Format::Csv => csv_file::contents(path),
+    let mut contents = match Format::of(&name)? {
+        Format::Mcap => mcap_file::contents(path)?,
+        Format::Rrd => rerun_file::contents(path)?,
+        Format::Csv => return Survey::of(&mut Recording::open(path)?).map(of_columns),
+    };
+    if contents.entries.iter().any(Entry::holds_columns) {
+        let survey = Survey::of(&mut Recording::open(path)?)?;
+        contents.add_certificates(&survey);
+        contents.survey = Some(survey);
     }
+    Ok(contents)
+}
+
+impl Contents {
+    /// Says what was measured of the bodies' errors, where the format's own facts do not.
+    fn add_certificates(&mut self, survey: &Survey) {
+        for body in &survey.heading.bodies {
+            for (name, value) in &body.certificate {
+                let name = format!("body.{}.certificate.{name}", body.name);
+                if !self.details.iter().any(|(known, _)| *known == name) {
+                    self.details.push((name, value.clone()));
+                }
+            }
+        }
+    }
+}
+
+impl Entry {
+    /// Whether this is what this crate calls the columns of a body.
+    fn holds_columns(&self) -> bool {
+        self.kind == "polhode.BodyState" || self.name.starts_with("/body/") && self.name.contains("/plots/")
+    }
+}
+
+/// A `.csv` is nothing but its columns.
+fn of_columns(survey: Survey) -> Contents {
+    let bodies = &survey.heading.bodies;
+    let name = |range: &Range| match bodies.get(range.body) {
+        Some(body) if bodies.len() > 1 => format!("{}.{}", body.name, range.name()),
+        _ => range.name(),
+    };
+    let names = std::iter::once("time_s".to_owned()).chain(survey.ranges.iter().map(name));
+    let (count, from_s, to_s) = (survey.samples, survey.from_s, survey.to_s);
+    let entries: Vec<_> = names.map(|name| Entry { name, kind: "column".into(), count, from_s, to_s }).collect();
+    let details = vec![("rows".into(), count.to_string()), ("columns".into(), entries.len().to_string())];
+    Contents { format: "csv", details, entries, survey: Some(survey) }
 }

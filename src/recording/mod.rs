@@ -1,7 +1,8 @@
 //! Columns to `.mcap`, `.rrd` and `.csv`, whole or not at all.
 //!
 //! A [`Recorder`] gives each file its [`Sink`] by the file's extension; a [`PartFile`] gets its name only when all the
-//! run's files are complete. [`contents`] tells what is in a recording, finished or not.
+//! run's files are complete. [`contents`] tells what is in a recording, finished or not;
+//! a [`Recording`] reads its columns back.
 
 pub mod csv_file;
 pub mod mcap_file;
@@ -12,11 +13,15 @@ mod contents;
 mod error;
 mod format;
 mod part_file;
+mod recorded;
 mod recorder;
 mod sink;
+mod survey;
 
 pub use contents::{Contents, Entry, contents};
 pub use error::RecordingError;
 pub use part_file::PartFile;
+pub use recorded::{Heading, RecordedBody, Recording};
 pub use recorder::{Finished, Recorder};
 pub use sink::Sink;
+pub use survey::{Range, Survey};

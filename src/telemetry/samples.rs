@@ -27,6 +27,13 @@ impl Samples {
         self.times_s.len()
     }
 
+    /// Empties all columns, which stay as they are otherwise.
+    pub fn clear(&mut self) {
+        self.times_s.clear();
+        self.stamps_ns.clear();
+        self.bodies.iter_mut().flat_map(BodySamples::columns_mut).for_each(Vec::clear);
+    }
+
     /// Whether there is none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -70,5 +77,10 @@ impl BodySamples {
     #[must_use]
     pub fn columns(&self) -> &[Vec<f64>] {
         &self.columns
+    }
+
+    /// All columns to write to.
+    pub fn columns_mut(&mut self) -> &mut [Vec<f64>] {
+        &mut self.columns
     }
 }

@@ -158,6 +158,12 @@ fn inspect_shows_what_run_wrote() {
         let contents: Value = serde_json::from_slice(&output.stdout).expect("stdout is JSON");
         let entries = contents["entries"].as_array().expect("a list of entries");
         assert!(entries.iter().any(|entry| entry["count"] == 11), "{name} has 11 samples: {contents:#}");
+        let recording = &contents["recording"];
+        assert_eq!(recording["samples"], 11, "{name}");
+        let columns = recording["bodies"][0]["columns"].as_array().expect("a list of columns");
+        let is_told =
+            |column: &Value| column["least"].as_f64() <= column["greatest"].as_f64() && column["unit"].is_string();
+        assert!(!columns.is_empty() && columns.iter().all(is_told), "{name}: {contents:#}");
     }
     assert_eq!(polhode(folder.path(), &["inspect", "scene.toml"]).status.code(), Some(2));
 }

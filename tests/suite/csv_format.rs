@@ -4,12 +4,12 @@ use std::fs;
 use std::path::Path;
 
 use polhode::recording::csv_file::CsvFile;
-use polhode::recording::{PartFile, Sink, contents};
+use polhode::recording::{PartFile, Recording, Sink, contents};
 use polhode::scenario::Plan;
 use polhode::telemetry::Channel;
 use tempfile::tempdir;
 
-use crate::planned::{bits, plan, samples, single};
+use crate::planned::{assert_same_samples, bits, plan, samples, single};
 
 fn record(plan: &Plan, path: &Path) -> String {
     let file = PartFile::create(path, true).expect("a name");
@@ -34,6 +34,21 @@ fn numbers_read_back_to_the_bit() {
         assert_eq!(numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>(), expected, "line {}", index + 2);
     }
     assert_eq!(text.lines().count(), 2001);
+}
+
+#[test]
+fn a_recording_gives_back_what_was_recorded() {
+    let folder = tempdir().expect("a folder");
+    for plan in [plan(20_000), single(3)] {
+        let path = folder.path().join("run.csv");
+        record(&plan, &path);
+        let recording = Recording::open(&path).expect("whole");
+        let bodies = recording.heading().bodies.iter().map(|body| (body.name.clone(), body.channels.clone()));
+        let name = |name: &str| if plan.bodies.len() > 1 { name.to_owned() } else { "body".to_owned() };
+        let expected = plan.bodies.iter().map(|body| (name(&body.name), body.channels.clone()));
+        assert_eq!(bodies.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
+        assert_same_samples(recording, &plan);
+    }
 }
 
 #[test]
@@ -74,10 +89,21 @@ fn what_is_no_recording_is_refused_with_its_line() {
     for (text, reason) in [
         (&b""[..], "there is no first line"),
         (b"a,b\n1,2\n", "the first column is \"a\""),
-        (b"time_s,b\n1,2\n1\n", "line 3 has 1 values in 2 columns"),
-        (b"time_s,b\n1,x\n", "line 2 has \"x\" for a number"),
-        (b"time_s,b\n1,2", "line 2 is cut off"),
-        (b"time_s,b\n\xff\n", "line 2 is not text"),
+        (b"time_s,b\n1,2\n", "column 2, \"b\", begins no channel"),
+        (b"time_s,total_energy_j,total_energy_j\n", "column 3, \"total_energy_j\", is there twice"),
+        (b"time_s,position_x_m,position_z_m\n", "\"position_y_m\" of the same body is missing"),
+        (
+            b"time_s,a.total_energy_j,b.total_energy_j,a.energy_drift_per_1e15\n",
+            "the columns of a body stand side by side",
+        ),
+        (b"time_s,total_energy_j\n1,2\n3\n", "line 3 has 1 values in 2 columns"),
+        (b"time_s,total_energy_j\n1,2,3\n", "line 2 has 3 values in 2 columns"),
+        (b"time_s,total_energy_j\n1,x\n", "line 2 has \"x\" for a number"),
+        (b"time_s,total_energy_j\n1,2", "line 2 is cut off"),
+        (b"time_s,total_energy_j\n\xff\n", "line 2 is not text"),
+        (b"time_s,total_energy_j\n1,2\n1,2\n", "sample 1 is at 1 s, after one at 1 s"),
+        (b"time_s,total_energy_j\n-1,2\n", "times are from 0"),
+        (b"time_s,total_energy_j\nNaN,2\n", "times are from 0"),
     ] {
         assert!(refusal(text).contains(reason), "{reason}: {}", refusal(text));
     }

@@ -180,7 +180,10 @@ fn a_format_that_is_left_out_says_so() {
 
 #[cfg(feature = "mcap")]
 mod damaged_mcap {
+    use polhode::recording::Recording;
+
     use super::*;
+    use crate::planned::bits;
 
     fn recorded(folder: &Path) -> Vec<u8> {
         let path = folder.join("run.mcap");
@@ -206,20 +209,79 @@ mod damaged_mcap {
     }
 
     #[test]
-    fn damage_anywhere_is_no_panic() {
+    fn damage_anywhere_is_refused_and_never_read_as_truth() {
         let folder = tempdir().expect("a folder");
+        let plan = single(40);
         let bytes = recorded(folder.path());
         let [whole, part] = ["bad.mcap", "bad.mcap.part"].map(|name| folder.path().join(name));
-        let (mut damaged, mut refused) = (0, 0);
         for (place, damage) in (0..bytes.len()).step_by(11).zip([0x01, 0x80, 0xff].into_iter().cycle()) {
             let mut bytes = bytes.clone();
             bytes[place] ^= damage;
-            for file in [&whole, &part] {
-                fs::write(file, &bytes).expect("room");
-                damaged += 1;
-                refused += usize::from(contents(file).is_err());
+            fs::write(&whole, &bytes).expect("room");
+            assert!(contents(&whole).is_err(), "byte {place} of {}: every byte is under a checksum", bytes.len());
+            fs::write(&part, &bytes).expect("room");
+            only_true_samples(&part, &plan);
+        }
+    }
+
+    /// What is read of a damaged file before the damage shows is what was recorded.
+    fn only_true_samples(path: &Path, plan: &Plan) {
+        let Ok(mut recording) = Recording::open(path) else { return };
+        let expected = &samples(plan, 40)[0];
+        while let Ok(Some(batch)) = recording.next_batch() {
+            for index in 0..batch.len() {
+                assert_eq!(bits(&batch.bodies[0], index), bits(&expected.bodies[0], index));
             }
         }
-        assert!(3 * refused > damaged, "of {damaged} damaged files only {refused} were refused");
+    }
+
+    /// A file of one chunk that says it unpacks to `unpacked` bytes and of `content`, packed.
+    fn with_chunk(unpacked: u64, content: &[u8]) -> Vec<u8> {
+        let packed = zstd::bulk::compress(content, 1).expect("room");
+        let mut chunk = [&[0; 16][..], &unpacked.to_le_bytes(), &crc32fast::hash(content).to_le_bytes()].concat();
+        chunk.extend([&[4, 0, 0, 0][..], b"zstd", &(packed.len() as u64).to_le_bytes(), &packed].concat());
+        let header = [&[1, 8, 0, 0, 0, 0, 0, 0, 0][..], &[0; 8]].concat();
+        [&b"\x89MCAP0\r\n"[..], &header, &[6], &(chunk.len() as u64).to_le_bytes(), &chunk].concat()
+    }
+
+    #[test]
+    fn what_claims_to_be_huge_is_refused_before_it_is_unpacked() {
+        let folder = tempdir().expect("a folder");
+        let path = folder.path().join("bomb.mcap.part");
+        let zeros = vec![0; 1 << 22];
+        let mut long = with_chunk(8, &[0; 8]);
+        long[26..34].copy_from_slice(&(1_u64 << 60).to_le_bytes());
+        for bytes in [with_chunk(1 << 40, &zeros), with_chunk(u64::MAX, &zeros), with_chunk(1 << 10, &zeros), long] {
+            fs::write(&path, bytes).expect("room");
+            let refused = Recording::open(&path).err().expect("a bomb");
+            assert!(matches!(refused, RecordingError::Decode { .. }), "{refused}");
+            assert!(refused.to_string().contains("bomb.mcap.part"), "{refused}");
+        }
+    }
+
+    /// An `.mcap` of one topic, by another writer.
+    fn foreign(path: &Path, topic: &str, schema: &str) -> Result<Recording, RecordingError> {
+        let mut writer =
+            mcap::Writer::new(std::io::BufWriter::new(fs::File::create(path).expect("room"))).expect("begun");
+        let schema = writer.add_schema(schema, "protobuf", b"another description").expect("a schema");
+        writer.add_channel(schema, topic, "protobuf", &std::collections::BTreeMap::new()).expect("a topic");
+        writer.finish().expect("room");
+        drop(writer);
+        Recording::open(path)
+    }
+
+    #[test]
+    fn another_schema_is_refused() {
+        let folder = tempdir().expect("a folder");
+        let path = folder.path().join("foreign.mcap");
+        for (topic, schema, rule) in [
+            ("/body/a/state", "polhode.BodyState", "not the polhode.BodyState that this version knows"),
+            ("/body/a/state", "other.State", "not the polhode.BodyState that this version knows"),
+            ("/state", "polhode.BodyState", "states are on /body/<name>/state"),
+            ("/tf", "foxglove.FrameTransforms", "no topic of polhode.BodyState"),
+        ] {
+            let refused = foreign(&path, topic, schema).err().expect("no recording").to_string();
+            assert!(refused.contains(rule) && refused.contains("foreign.mcap"), "{refused}");
+        }
     }
 }

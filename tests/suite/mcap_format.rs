@@ -5,13 +5,13 @@ use std::path::Path;
 
 use mcap::MessageStream;
 use polhode::recording::mcap_file::McapFile;
-use polhode::recording::{Contents, Entry, PartFile, Recorder, Sink, contents};
+use polhode::recording::{Contents, Entry, PartFile, Recorder, Recording, Sink, contents};
 use polhode::scenario::Plan;
 use polhode::telemetry::{BodySamples, Channel};
 use prost::Message;
 use tempfile::tempdir;
 
-use crate::planned::{bits, picture, plan, samples, single};
+use crate::planned::{assert_same_samples, bits, picture, plan, samples, single};
 
 /// `polhode.BodyState` as its schema says, written down a second time.
 #[derive(Clone, PartialEq, Message)]
@@ -184,6 +184,23 @@ fn samples_read_back_to_the_bit() {
             }
         }
         assert!(messages.next().is_none());
+    }
+}
+
+#[test]
+fn a_recording_gives_back_what_was_recorded() {
+    let folder = tempdir().expect("a folder");
+    for (number, plan) in [plan(20_000), single(3)].into_iter().enumerate() {
+        let path = folder.path().join(format!("{number}.mcap"));
+        record(&plan, &path, 1024);
+        let recording = Recording::open(&path).expect("whole");
+        let heading = recording.heading();
+        for (read, planned) in heading.bodies.iter().zip(&plan.bodies) {
+            assert_eq!((&read.name, &read.channels), (&planned.name, &planned.channels));
+        }
+        assert_eq!(heading.scene.as_deref(), Some(plan.text.as_str()));
+        assert!(heading.provenance.contains(&("scene".into(), plan.name.clone())));
+        assert_same_samples(recording, &plan);
     }
 }
 

@@ -3,6 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use polhode::body::{AngularVelocity, Attitude, MassProperties, PrincipalMoments, State, Surface};
 use polhode::dynamics::Problem;
+use polhode::recording::Recording;
 use polhode::recording::picture::{Arrow, BodyPicture, Picture, Poinsot, Quantity};
 use polhode::scenario::{Event, Grid, Path, Plan, PlannedBody, Provenance, nanoseconds};
 use polhode::telemetry::{BodySamples, Channel, Samples};
@@ -144,4 +145,25 @@ fn value(seed: u64) -> f64 {
 /// The bits of sample `index`: all of the body's columns.
 pub fn bits(samples: &BodySamples, index: usize) -> Vec<u64> {
     samples.columns().iter().map(|column| column[index].to_bits()).collect()
+}
+
+/// Fails unless `recording` holds all samples of `plan`, to the bit, and is whole.
+pub fn assert_same_samples(mut recording: Recording, plan: &Plan) {
+    let count = usize::try_from(plan.grid.len()).expect("a short plan");
+    let expected = &samples(plan, count)[0];
+    let mut first = 0;
+    while let Some(batch) = recording.next_batch().expect("whole") {
+        assert_eq!(batch.first_index, first as u64);
+        assert_eq!(batch.stamps_ns, expected.stamps_ns[first..first + batch.len()]);
+        for index in 0..batch.len() {
+            assert_eq!(batch.times_s[index].to_bits(), expected.times_s[first + index].to_bits());
+            for (read, written) in batch.bodies.iter().zip(&expected.bodies) {
+                assert_eq!(bits(read, index), bits(written, first + index), "sample {}", first + index);
+            }
+        }
+        assert_eq!(batch.bodies.len(), expected.bodies.len());
+        first += batch.len();
+    }
+    assert_eq!(first, count);
+    assert!(recording.is_whole());
 }

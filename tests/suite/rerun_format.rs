@@ -6,14 +6,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use polhode::recording::rerun_file::RerunFile;
-use polhode::recording::{Contents, PartFile, RecordingError, Sink, contents};
+use polhode::recording::{Contents, PartFile, Recording, RecordingError, Sink, contents};
 use polhode::scenario::{Grid, Plan};
 use polhode::telemetry::Channel;
 use re_chunk::Chunk;
 use re_log_types::{LogMsg, StoreKind};
 use tempfile::tempdir;
 
-use crate::planned::{bits, picture, plan, samples, single};
+use crate::planned::{assert_same_samples, bits, picture, plan, samples, single};
 
 /// Records `plan` at `path` in batches of `batch`.
 fn record(plan: &Plan, path: &Path, batch: usize) {
@@ -89,6 +89,22 @@ fn samples_read_back_to_the_bit() {
             }
         }
         assert!(read.iter().enumerate().all(|(index, (_, numbers))| *numbers == bits(samples, index)));
+    }
+}
+
+#[test]
+fn a_recording_gives_back_what_was_recorded() {
+    let folder = tempdir().expect("a folder");
+    let mut listed = single(3);
+    listed.grid = Grid::List(vec![0.0, 1.0 / 3.0, 1e3 + f64::EPSILON * 1024.0]);
+    for (number, plan) in [plan(5000), listed].into_iter().enumerate() {
+        let path = folder.path().join(format!("{number}.rrd"));
+        record(&plan, &path, 1024);
+        let recording = Recording::open(&path).expect("whole");
+        for (read, planned) in recording.heading().bodies.iter().zip(&plan.bodies) {
+            assert_eq!((&read.name, &read.channels), (&planned.name, &planned.channels));
+        }
+        assert_same_samples(recording, &plan);
     }
 }
 

@@ -4,8 +4,10 @@
 //! bodies each name starts with the body's (`upper.attitude_w`). Numbers are the shortest decimals that read back to
 //! the very same f64. What is not a column (scene, method, events) a `.csv` does not hold.
 
+mod header;
+mod lines;
 mod read;
 mod write;
 
-pub use read::contents;
+pub(super) use read::open;
 pub use write::CsvFile;

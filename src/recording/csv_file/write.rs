@@ -1,7 +1,8 @@
 use std::io::{self, Write};
 
+use super::header::header;
 use crate::recording::{PartFile, RecordingError, Sink};
-use crate::scenario::{Plan, PlannedBody};
+use crate::scenario::Plan;
 use crate::telemetry::{BodySamples, Samples};
 
 /// A `.csv` in the making.
@@ -57,19 +58,4 @@ impl Sink for CsvFile {
     fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
         Ok(self.file)
     }
-}
-
-fn header(plan: &Plan) -> String {
-    let one_body = plan.bodies.len() == 1;
-    let columns = plan.bodies.iter().flat_map(|body| {
-        let prefix = if one_body { String::new() } else { format!("{}.", body.name) };
-        columns(body).map(move |column| format!("{prefix}{column}"))
-    });
-    let names: Vec<String> = std::iter::once("time_s".into()).chain(columns).collect();
-    names.join(",")
-}
-
-fn columns(body: &PlannedBody) -> impl Iterator<Item = String> {
-    let rows = body.channels.iter().map(|channel| channel.row());
-    rows.flat_map(|row| (0..row.components.len()).map(move |index| row.column_name(index)))
 }

@@ -1,6 +1,7 @@
 use std::path::Path;
 
 use crate::recording::picture::Picture;
+use crate::recording::recorded::Opened;
 use crate::recording::{Contents, PartFile, RecordingError, Sink};
 use crate::scenario::Plan;
 use crate::telemetry::Samples;
@@ -35,6 +36,14 @@ impl Sink for McapFile {
 /// # Errors
 /// Always [`RecordingError::FormatAbsent`].
 pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
+    Err(absent(path))
+}
+
+/// Refuses.
+///
+/// # Errors
+/// Always [`RecordingError::FormatAbsent`].
+pub(in crate::recording) fn open(path: &Path) -> Result<Opened, RecordingError> {
     Err(absent(path))
 }
 

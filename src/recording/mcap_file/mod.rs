@@ -24,3 +24,8 @@ mod enabled;
 pub use disabled::{McapFile, contents};
 #[cfg(feature = "mcap")]
 pub use enabled::{McapFile, contents};
+
+#[cfg(not(feature = "mcap"))]
+pub(super) use disabled::open;
+#[cfg(feature = "mcap")]
+pub(super) use enabled::open;

@@ -12,3 +12,8 @@ mod enabled;
 pub use disabled::{RerunFile, contents};
 #[cfg(feature = "rerun")]
 pub use enabled::{RerunFile, contents};
+
+#[cfg(not(feature = "rerun"))]
+pub(super) use disabled::open;
+#[cfg(feature = "rerun")]
+pub(super) use enabled::open;

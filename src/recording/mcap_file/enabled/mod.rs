@@ -1,9 +1,11 @@
 //! Written in this order: metadata, scene text, schemas and channels, the surfaces and the start, then sample after sample.
 
 mod about;
+mod columns;
 mod container;
 mod descriptor;
 mod foxglove;
+mod intake;
 mod log;
 mod read;
 mod scan;
@@ -14,5 +16,6 @@ mod surfaces;
 mod tally;
 mod write;
 
+pub(in crate::recording) use columns::open;
 pub use read::contents;
 pub use write::McapFile;

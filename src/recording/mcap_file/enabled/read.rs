@@ -4,7 +4,7 @@ use std::path::Path;
 
 use mcap::McapError;
 
-use super::scan::scan;
+use super::scan::{Records, count};
 use super::summary::read_summary;
 use super::tally::Tally;
 use crate::recording::format::is_part;
@@ -28,15 +28,22 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
         }
     }
     let mut tally = Tally::default();
-    match scan(&mut file, length, &mut tally) {
-        Ok(()) => tally.is_complete = true,
-        Err(McapError::UnexpectedEof) if is_part => {}
-        Err(error) => return Err(refused(path, error, &format!("before byte {}", tally.bytes_read))),
+    let mut records = Records::begin(file).map_err(|error| refused(path, error, "at the start"))?;
+    loop {
+        match records.advance(|opcode, body| count(opcode, body, &mut tally)) {
+            Ok(true) => {}
+            Ok(false) => {
+                tally.is_complete = true;
+                return Ok(tally.into_contents());
+            }
+            Err(McapError::UnexpectedEof) if is_part => return Ok(tally.into_contents()),
+            Err(error) => return Err(refused(path, error, &format!("before byte {}", records.bytes_read()))),
+        }
     }
-    Ok(tally.into_contents())
 }
 
-fn refused(path: &Path, error: McapError, place: &str) -> RecordingError {
+/// What is wrong with the file, and where.
+pub(super) fn refused(path: &Path, error: McapError, place: &str) -> RecordingError {
     let reason = match error {
         McapError::Io(source) if source.get_ref().is_none() => {
             return RecordingError::Io { attempt: "read", path: path.into(), source };

@@ -6,32 +6,53 @@ use mcap::{McapError, McapResult, parse_record};
 
 use super::tally::Tally;
 
-/// No record is longer, in the file or in a chunk: what a damaged length asks for is not allocated.
-const LONGEST_RECORD: u64 = 1 << 28;
+/// No record is longer, and no chunk, packed or unpacked: what a damaged length asks for is not allocated.
+const LONGEST_RECORD: usize = 1 << 28;
 
-/// Goes through the file from its start, checking every checksum; what was met until an error is in `tally`.
-pub(super) fn scan(file: &mut (impl Read + Seek), length: u64, tally: &mut Tally) -> McapResult<()> {
-    file.rewind()?;
-    let limit = usize::try_from(LONGEST_RECORD.min(length.max(1 << 20))).unwrap_or(usize::MAX);
-    let options = LinearReaderOptions::default().with_validate_chunk_crcs(true).with_record_length_limit(limit);
-    let mut reader = LinearReader::new_with_options(options);
-    while let Some(event) = reader.next_event() {
-        match event? {
-            LinearReadEvent::ReadRequest(bytes) => {
-                let read = file.read(reader.insert(bytes))?;
-                tally.bytes_read += read as u64;
-                reader.notify_read(read);
-            }
-            LinearReadEvent::Record { data, opcode } => add(opcode, data, tally)?,
-        }
-    }
-    Ok(())
+/// The records of a file from its start, those in chunks among them. A chunk's come only after its checksum was found
+/// right.
+pub(super) struct Records<R> {
+    file: R,
+    reader: LinearReader,
+    bytes_read: u64,
 }
 
-fn add(opcode: u8, body: &[u8], tally: &mut Tally) -> McapResult<()> {
+impl<R: Read + Seek> Records<R> {
+    pub fn begin(mut file: R) -> McapResult<Self> {
+        file.rewind()?;
+        let options = LinearReaderOptions::default()
+            .with_prevalidate_chunk_crcs(true)
+            .with_validate_data_section_crc(true)
+            .with_validate_summary_section_crc(true)
+            .with_record_length_limit(LONGEST_RECORD);
+        Ok(Self { file, reader: LinearReader::new_with_options(options), bytes_read: 0 })
+    }
+
+    /// Goes on by one step, which may bring a record: kind and fields. False at the end.
+    pub fn advance(&mut self, visit: impl FnOnce(u8, &[u8]) -> McapResult<()>) -> McapResult<bool> {
+        match self.reader.next_event().transpose()? {
+            None => return Ok(false),
+            Some(LinearReadEvent::ReadRequest(bytes)) => {
+                let read = self.file.read(self.reader.insert(bytes))?;
+                self.bytes_read += read as u64;
+                self.reader.notify_read(read);
+            }
+            Some(LinearReadEvent::Record { data, opcode }) => visit(opcode, data)?,
+        }
+        Ok(true)
+    }
+
+    /// Where an error is: before this byte of the file.
+    pub fn bytes_read(&self) -> u64 {
+        self.bytes_read
+    }
+}
+
+/// Counts what a record brings.
+pub(super) fn count(opcode: u8, body: &[u8], tally: &mut Tally) -> McapResult<()> {
     if opcode == op::ATTACHMENT {
-        let (name, media_type, bytes) = attachment(body).ok_or(McapError::UnexpectedEof)?;
-        tally.add_attachment(&name, &media_type, bytes);
+        let (name, media_type, data) = attachment(body).ok_or(McapError::UnexpectedEof)?;
+        tally.add_attachment(&name, &media_type, data.len() as u64);
         return Ok(());
     }
     match parse_record(opcode, body)? {
@@ -47,8 +68,8 @@ fn add(opcode: u8, body: &[u8], tally: &mut Tally) -> McapResult<()> {
     Ok(())
 }
 
-/// Name, media type and length. Read here, as the crate's own parser panics on one that is too short.
-fn attachment(body: &[u8]) -> Option<(String, String, u64)> {
+/// Name, media type and content. Read here, as the crate's own parser panics on one that is too short.
+pub(super) fn attachment(body: &[u8]) -> Option<(String, String, &[u8])> {
     let mut rest = body.get(16..)?;
     let mut text = || {
         let (length, after) = rest.split_first_chunk::<4>()?;
@@ -58,6 +79,6 @@ fn attachment(body: &[u8]) -> Option<(String, String, u64)> {
     };
     let (name, media_type) = (text()?, text()?);
     let (length, data) = rest.split_first_chunk::<8>()?;
-    let length = u64::from_le_bytes(*length);
-    (data.len() as u64 >= length).then_some((name, media_type, length))
+    let length = usize::try_from(u64::from_le_bytes(*length)).ok()?;
+    Some((name, media_type, data.get(..length)?))
 }

@@ -6,6 +6,7 @@ use prost::encoding::{WireType, encode_key, encode_varint, message};
 
 use super::descriptor::{FieldDescriptor, FileDescriptor, FileDescriptorSet, MessageDescriptor};
 use super::foxglove::Timestamp;
+use crate::scenario::nanoseconds;
 use crate::telemetry::Channel;
 
 /// Full name of the message.
@@ -22,16 +23,16 @@ fn field_of(channel: Channel) -> u32 {
     FIRST_CHANNEL + channel as u32
 }
 
-/// Lays out messages for one body's channels.
+/// How messages of one body's channels are laid out.
 #[derive(Debug)]
-pub(super) struct StateEncoder {
+pub(super) struct StateLayout {
     /// What follows the time: keys, and room for each column's number.
     channels: Vec<u8>,
     /// Where the room is.
     places: Vec<usize>,
 }
 
-impl StateEncoder {
+impl StateLayout {
     pub fn new(channels: &[Channel]) -> Self {
         let mut encoder = Self { channels: Vec::new(), places: Vec::new() };
         for key in channels.iter().flat_map(|channel| keys_of(*channel)) {
@@ -44,10 +45,7 @@ impl StateEncoder {
 
     /// Appends sample `index` to `bytes`. All numbers are written, zeros too: −0 would not come back.
     pub fn encode(&self, time: (f64, i64), columns: &[Vec<f64>], index: usize, bytes: &mut Vec<u8>) {
-        let (time_s, stamp_ns) = time;
-        encode_key(TIME, WireType::SixtyFourBit, bytes);
-        bytes.extend_from_slice(&time_s.to_le_bytes());
-        message::encode(TIMESTAMP, &Timestamp::of(stamp_ns), bytes);
+        encode_times(time, bytes);
         let start = bytes.len();
         bytes.extend_from_slice(&self.channels);
         let message = &mut bytes[start..];
@@ -55,6 +53,39 @@ impl StateEncoder {
             message[*place..*place + 8].copy_from_slice(&column[index].to_le_bytes());
         }
     }
+
+    /// Appends the numbers of a message to `columns` and returns its exact time in s; `None`, and nothing is appended,
+    /// if it is not laid out just so.
+    pub fn decode(&self, message: &[u8], columns: &mut [Vec<f64>]) -> Option<f64> {
+        let time_s = number_at(message, 1)?;
+        let mut times = Vec::with_capacity(32);
+        encode_times((time_s, nanoseconds(time_s)), &mut times);
+        let channels = message.strip_prefix(times.as_slice())?;
+        if channels.len() != self.channels.len() {
+            return None;
+        }
+        let mut end = 0;
+        for place in &self.places {
+            if channels.get(end..*place) != self.channels.get(end..*place) {
+                return None;
+            }
+            end = *place + 8;
+        }
+        for (place, column) in self.places.iter().zip(columns) {
+            column.push(number_at(channels, *place)?);
+        }
+        Some(time_s)
+    }
+}
+
+fn encode_times((time_s, stamp_ns): (f64, i64), bytes: &mut Vec<u8>) {
+    encode_key(TIME, WireType::SixtyFourBit, bytes);
+    bytes.extend_from_slice(&time_s.to_le_bytes());
+    message::encode(TIMESTAMP, &Timestamp::of(stamp_ns), bytes);
+}
+
+fn number_at(bytes: &[u8], place: usize) -> Option<f64> {
+    Some(f64::from_le_bytes(*bytes.get(place..)?.first_chunk()?))
 }
 
 fn keys_of(channel: Channel) -> Vec<Vec<u8>> {

@@ -10,7 +10,6 @@ use crate::recording::{Contents, Entry};
 pub(super) struct Tally {
     pub library: String,
     pub is_complete: bool,
-    pub bytes_read: u64,
     pub metadata: Vec<Metadata>,
     pub schemas: BTreeMap<u16, String>,
     pub topics: BTreeMap<u16, Topic>,
@@ -51,7 +50,7 @@ impl Tally {
         details.extend(self.attachments);
         let mut entries: Vec<Entry> = self.topics.into_values().map(Topic::into_entry).collect();
         entries.sort_by(|a, b| a.name.cmp(&b.name));
-        Contents { format: "mcap", details, entries }
+        Contents { format: "mcap", details, entries, survey: None }
     }
 }
 

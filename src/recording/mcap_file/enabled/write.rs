@@ -7,7 +7,7 @@ use super::container::{Output, Topic};
 use super::foxglove::SCENE_UPDATE;
 use super::log::EventLog;
 use super::scene::MovingScene;
-use super::state::{self, StateEncoder};
+use super::state::{self, StateLayout};
 use super::surfaces::surfaces;
 use crate::recording::picture::Picture;
 use crate::recording::{PartFile, RecordingError, Sink};
@@ -18,7 +18,7 @@ use crate::telemetry::Samples;
 #[derive(Debug)]
 pub struct McapFile {
     output: Output,
-    states: Vec<(StateEncoder, Topic)>,
+    states: Vec<(StateLayout, Topic)>,
     scene: MovingScene,
     log: EventLog,
     picture: Picture,
@@ -40,7 +40,7 @@ impl McapFile {
         let mut state = |body: &PlannedBody| -> Result<_, RecordingError> {
             let topic = format!("/body/{}/state", body.name);
             let topic = output.topic(&topic, (state::NAME, &schema), &units(body))?;
-            Ok((StateEncoder::new(&body.channels), topic))
+            Ok((StateLayout::new(&body.channels), topic))
         };
         let states = plan.bodies.iter().map(&mut state).collect::<Result<_, _>>()?;
         let scene = MovingScene::new(plan, picture, &mut output)?;
@@ -61,8 +61,8 @@ impl Sink for McapFile {
         for (index, number) in (0..samples.len()).zip(samples.first_index..) {
             let (time_s, stamp_ns) = (samples.times_s[index], samples.stamps_ns[index]);
             self.log.tell_until(stamp_ns, &mut self.output)?;
-            for ((encoder, topic), body) in self.states.iter_mut().zip(&samples.bodies) {
-                let data = |bytes: &mut Vec<u8>| encoder.encode((time_s, stamp_ns), body.columns(), index, bytes);
+            for ((layout, topic), body) in self.states.iter_mut().zip(&samples.bodies) {
+                let data = |bytes: &mut Vec<u8>| layout.encode((time_s, stamp_ns), body.columns(), index, bytes);
                 self.output.send(topic, stamp_ns, data)?;
             }
             if self.picture.draws(number) {

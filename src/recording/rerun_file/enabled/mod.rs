@@ -25,6 +25,7 @@ mod poinsot;
 mod poinsot_views;
 mod read;
 mod rolling;
+mod source;
 mod statics;
 mod stream;
 mod trail;
@@ -32,3 +33,4 @@ mod unpack;
 
 pub use file::RerunFile;
 pub use read::contents;
+pub(in crate::recording) use source::open;

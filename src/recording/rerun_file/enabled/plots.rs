@@ -12,10 +12,10 @@ use crate::scenario::{Grid, Plan, nanoseconds};
 use crate::telemetry::{Channel, Samples};
 
 /// Entity of the exact times, where the grid is a list, s.
-const TIME: &str = "/time/time_s";
+pub(super) const TIME: &str = "/time/time_s";
 
 /// Entity of the exact sampling interval, where it is one, s.
-const INTERVAL: &str = "/time/interval_s";
+pub(super) const INTERVAL: &str = "/time/interval_s";
 
 /// Entity of the line at zero that energies are seen against.
 pub(super) const ZERO: &str = "/zero";
@@ -29,6 +29,12 @@ pub(super) struct Plots {
 /// Where the columns of `channel` are logged.
 pub(super) fn entity(body: &str, channel: Channel) -> String {
     format!("/body/{body}/plots/{}", channel.row().name)
+}
+
+/// Of which body and channel the columns at `entity` are; `None` where there are none.
+pub(super) fn channel_of(entity: &str) -> Option<(&str, Channel)> {
+    let (body, channel) = entity.strip_prefix("/body/")?.split_once("/plots/")?;
+    Some((body, Channel::from_name(channel)?))
 }
 
 impl Plots {

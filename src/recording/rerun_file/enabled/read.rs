@@ -34,7 +34,12 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
     if messages.end() == End::BrokenOff {
         details.push(("complete".into(), "no, it breaks off".into()));
     }
-    Ok(Contents { format: "rrd", details, entries: survey.entities.into_iter().map(Entity::entry).collect() })
+    Ok(Contents {
+        format: "rrd",
+        details,
+        entries: survey.entities.into_iter().map(Entity::entry).collect(),
+        survey: None,
+    })
 }
 
 /// What was met so far.

@@ -37,7 +37,7 @@ pub(super) fn chunk(batch: &Batch) -> Result<Chunk, String> {
 
 /// Arrow's reader panics at some damaged offsets rather than returning an error. What it had in hand is dropped, so
 /// nothing is left half done.
-fn guarded<T>(read: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+pub(super) fn guarded<T>(read: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| Err("a chunk that Arrow cannot take apart".to_owned()))
 }
 
