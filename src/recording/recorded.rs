@@ -7,7 +7,7 @@ use crate::telemetry::{BodySamples, Channel, Samples};
 
 /// A recording that is read back: the same columns as were written, to the bit, whatever the format.
 ///
-/// Like a [`Run`](crate::scenario::Run) it lends its own buffers batch by batch, so that memory stays flat at any length. The file is not
+/// Like a [`Run`](crate::scenario::Run) it lends its own buffers batch by batch: memory is flat at any length. The file is not
 /// trusted: every length is held against what is there, every check sum against the bytes, every sample against the form
 /// that it must have. A `NAME.part` is read as far as it goes.
 ///

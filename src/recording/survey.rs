@@ -1,5 +1,5 @@
 use super::{Heading, Recording, RecordingError};
-use crate::telemetry::Channel;
+use crate::telemetry::{BodySamples, Channel};
 
 /// A recording read from end to end: what it says of itself, how many samples, over which time, between which values.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,7 +50,7 @@ impl Survey {
             survey.samples += samples.len() as u64;
             survey.from_s = survey.from_s.or(samples.times_s.first().copied());
             survey.to_s = samples.times_s.last().copied();
-            let columns = samples.bodies.iter().flat_map(|body| body.columns());
+            let columns = samples.bodies.iter().flat_map(BodySamples::columns);
             for (range, column) in survey.ranges.iter_mut().zip(columns) {
                 range.widen(column);
             }

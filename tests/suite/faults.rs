@@ -253,7 +253,7 @@ mod damaged_mcap {
         long[26..34].copy_from_slice(&(1_u64 << 60).to_le_bytes());
         for bytes in [with_chunk(1 << 40, &zeros), with_chunk(u64::MAX, &zeros), with_chunk(1 << 10, &zeros), long] {
             fs::write(&path, bytes).expect("room");
-            let refused = Recording::open(&path).err().expect("a bomb");
+            let refused = Recording::open(&path).expect_err("a bomb");
             assert!(matches!(refused, RecordingError::Decode { .. }), "{refused}");
             assert!(refused.to_string().contains("bomb.mcap.part"), "{refused}");
         }
@@ -280,7 +280,7 @@ mod damaged_mcap {
             ("/state", "polhode.BodyState", "states are on /body/<name>/state"),
             ("/tf", "foxglove.FrameTransforms", "no topic of polhode.BodyState"),
         ] {
-            let refused = foreign(&path, topic, schema).err().expect("no recording").to_string();
+            let refused = foreign(&path, topic, schema).expect_err("no recording").to_string();
             assert!(refused.contains(rule) && refused.contains("foreign.mcap"), "{refused}");
         }
     }
