@@ -12,7 +12,7 @@ use polhode::telemetry::Channel;
 /// More than this takes long to record and to load.
 const MOST_SAMPLES: u64 = 100_000;
 
-/// Largest slip seen, doubled, 1e-15.
+/// Two roundings of ω and two of the attitude each way, 1e-15.
 const MOST_SLIP: f64 = 9.0;
 
 fn plan(name: &str) -> Plan {
