@@ -1,12 +1,14 @@
 #![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 
+use nalgebra::Vector3;
+
 use super::exact::{ExactQuaternion, Motion, QuaternionMap, Rates, fill_columns};
 use super::sampling::check_times;
 use super::{Ballistic, Effort, FreeRotation, PropagationError, Propagator, States};
 use crate::dynamics::{Load, Problem, Torque};
 use crate::numerics::{DoubleDouble, Phase};
 
-/// A constant torque in the body along the principal axis about which it spins, exactly: the angle is a quadratic of time.
+/// A constant torque along the principal axis about which a body spins, exactly: the angle is a quadratic of time.
 ///
 /// Where the other two moments are equal, ω across the axis turns in the body by a quadratic of time too; the attitude of
 /// that motion has no elementary form, so that it is covered only where nobody wants the attitude.
@@ -51,8 +53,13 @@ struct Axial {
 
 /// The axis of the torque and its size, if the problem is of this kind.
 fn axis(problem: &Problem) -> Option<(usize, f64)> {
-    let [Load { torque: Torque::ConstantBody { moment }, window }] = problem.loads.as_slice() else {
+    let [Load { torque, window }] = problem.loads.as_slice() else {
         return None;
+    };
+    let (moment, turns_with_body) = match *torque {
+        Torque::ConstantBody { moment } => (moment, true),
+        Torque::ConstantWorld { moment } => (along_body_axis(problem.initial.attitude.wxyz(), moment)?, false),
+        _ => return None,
     };
     let axis = (0..3).find(|&axis| moment[axis] != 0.0)?;
     let others = [(axis + 1) % 3, (axis + 2) % 3];
@@ -60,14 +67,34 @@ fn axis(problem: &Problem) -> Option<(usize, f64)> {
     let moments = problem.moments.vector();
     let is_along = others.iter().all(|&other| moment[other] == 0.0);
     let is_spin = others.iter().all(|&other| omega[other] == 0.0);
-    let is_symmetric = moments[others[0]] == moments[others[1]] && !problem.wants_attitude;
+    let is_symmetric = turns_with_body && moments[others[0]] == moments[others[1]] && !problem.wants_attitude;
     let is_always = window.start <= 0.0 && window.end == f64::INFINITY;
     (is_always && is_along && (is_spin || is_symmetric)).then(|| (axis, moment[axis]))
 }
 
+/// A vector along a world axis in body axes, if a body axis lies exactly along that axis.
+fn along_body_axis([w, imaginary @ ..]: [f64; 4], in_world: Vector3<f64>) -> Option<Vector3<f64>> {
+    let j = (0..3).find(|&j| in_world[j] != 0.0)?;
+    let (next, last) = ((j + 1) % 3, (j + 2) % 3);
+    let square = |value: f64| DoubleDouble::product(value, value);
+    let [here, there] = [next, last].map(|i| DoubleDouble::product(imaginary[j], imaginary[i]));
+    let [by_next, by_last] = [next, last].map(|i| DoubleDouble::product(w, imaginary[i]));
+    // The row of R that belongs to the world axis, but for a factor 2 beside the diagonal.
+    let mut row = [DoubleDouble::ZERO; 3];
+    row[j] = square(w) + square(imaginary[j]) - square(imaginary[next]) - square(imaginary[last]);
+    (row[next], row[last]) = (here - by_last, there + by_next);
+    let axis = (0..3).find(|&axis| !row[axis].is_zero())?;
+    let is_exact = [next, last].iter().all(|&other| in_world[other] == 0.0)
+        && (0..3).all(|other| other == axis || row[other].is_zero());
+    let mut in_body = Vector3::zeros();
+    in_body[axis] = in_world[j].copysign(in_world[j] * row[axis].hi());
+    is_exact.then_some(in_body)
+}
+
 impl AxialTorque {
-    /// Whether one torque, constant in the body along a principal axis and without a window, is all that turns a body that
-    /// spins about that axis; or one symmetric about it whose attitude is not asked for.
+    /// Whether one torque along a principal axis, constant in the body or in the world and without a window, is all that
+    /// turns a body that spins about that axis; or one constant in a body symmetric about the axis whose attitude is not
+    /// asked for. A torque in the world must lie along a world axis and exactly along the body's.
     #[must_use]
     pub fn covers(problem: &Problem) -> bool {
         axis(problem).is_some()

@@ -1,6 +1,7 @@
 //! Closed forms under a brake along L and under a torque along the spin: published values, references, agreement with Taylor.
 
 use nalgebra::Vector3;
+use polhode::body::Attitude;
 use polhode::dynamics::{Load, Problem, Torque, Window};
 use polhode::propagation::{AxialTorque, BrakedRotation, FreeRotation, Taylor};
 
@@ -114,6 +115,26 @@ fn torques_along_every_axis_agree_with_taylor() {
         let closed = run(AxialTorque::new(&problem).expect("covered"), &times);
         let difference = largest_difference(&closed, &run(Taylor::new(&problem, 1e-16).expect("covered"), &times));
         assert!(difference < 1e-14, "axis {axis}: {difference:e}");
+    }
+}
+
+#[test]
+fn torques_in_the_world_along_the_spin_agree_with_taylor() {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    // Turned about the axis, upside down, and with the body's x along the world's z.
+    let attitudes = [([0.6, 0.0, 0.0, 0.8], 2), ([0.0, 1.0, 0.0, 0.0], 2), ([half, 0.0, -half, 0.0], 0)];
+    for (attitude, axis) in attitudes {
+        let mut rates = [0.0; 3];
+        rates[axis] = 1.5;
+        let mut problem = problem(MOMENTS, rates, &[Torque::ConstantWorld { moment: Vector3::new(0.0, 0.0, -0.4) }]);
+        problem.initial.attitude = Attitude::new(attitude).expect("a unit quaternion");
+        let times = grid(10.0, 40);
+        let closed = run(AxialTorque::new(&problem).expect("covered"), &times);
+        let difference = largest_difference(&closed, &run(Taylor::new(&problem, 1e-16).expect("covered"), &times));
+        assert!(difference < 1e-14, "{attitude:?}: {difference:e}");
+        // Off the axis by a rounding, the spin does not stay on it.
+        problem.initial.attitude = Attitude::new([0.6, 1e-17, 0.0, 0.8]).expect("a unit quaternion");
+        assert!(!AxialTorque::covers(&problem));
     }
 }
 
