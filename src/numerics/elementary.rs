@@ -54,7 +54,6 @@ fn series(coefficients: &[DoubleDouble], stride: usize, exact: usize, x: DoubleD
 }
 
 /// eˣ for x ≤ 0, at least e^(−700), in f64: without branches, so that loops over samples become vector code.
-#[allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 #[inline(always)]
 #[must_use]
 pub fn exp_of_negative(x: f64) -> f64 {
@@ -71,7 +70,6 @@ pub fn exp_of_negative(x: f64) -> f64 {
 }
 
 /// Horner's rule, without closures or iterators: those are not inlined everywhere.
-#[allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
 #[inline(always)]
 pub(super) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
     let mut sum = 0.0;

@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::DoubleDouble;
 use super::double_double::{two_prod, two_sum};
 use super::elementary::polynomial;

@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use nalgebra::Vector3;
 
 use super::exact::{ExactQuaternion, Motion, QuaternionMap, Rates, fill_columns};

@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::{Jacobi, Theta, ThetaPair};
 use crate::numerics::{DoubleDouble, Turn, exp_of_negative};
 

@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use crate::numerics::vectorised;
 use crate::propagation::States;
 

@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::invariants::{Polhode, Start};
 use crate::numerics::{
     DoubleDouble, Jacobi, JacobiFlips, JacobiSeries, Phase, carlson_rf, complete_k, complete_k_of_nome, nome,

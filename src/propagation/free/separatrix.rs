@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::invariants::{Polhode, Start};
 use crate::numerics::{DoubleDouble, Phase, carlson_rf, exp_of_negative};
 use crate::propagation::exact::{Motion, QuaternionMap, Rates};

@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::invariants::Start;
 use crate::numerics::{DoubleDouble, Phase};
 use crate::propagation::exact::{Motion, QuaternionMap, Rates};

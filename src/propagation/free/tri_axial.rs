@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::invariants::{Polhode, Start};
 use super::polhode_rates::{Periods, PolhodeRates};
 use crate::numerics::{DoubleDouble, FlipSum, NomeSeries, Phase, Theta, carlson_rf};

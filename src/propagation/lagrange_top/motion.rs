@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::nutation::{Form, Nutation};
 use super::start::{Start, conjugate, product, square};
 use crate::numerics::{DoubleDouble, Phase};

@@ -1,5 +1,3 @@
-#![allow(clippy::inline_always, reason = "what is not inlined into `vectorised` is not vector code")]
-
 use super::roots::Roots;
 use super::start::Start;
 use crate::numerics::{
