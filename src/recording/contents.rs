@@ -45,21 +45,18 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
     };
     if contents.entries.iter().any(Entry::holds_columns) {
         let survey = Survey::of(&mut Recording::open(path)?)?;
-        contents.add_certificates(&survey);
+        contents.add_facts(&survey);
         contents.survey = Some(survey);
     }
     Ok(contents)
 }
 
 impl Contents {
-    /// Says what was measured of the bodies' errors, where the format's own facts do not.
-    fn add_certificates(&mut self, survey: &Survey) {
-        for body in &survey.heading.bodies {
-            for (name, value) in &body.certificate {
-                let name = format!("body.{}.certificate.{name}", body.name);
-                if !self.details.iter().any(|(known, _)| *known == name) {
-                    self.details.push((name, value.clone()));
-                }
+    /// Says where the recording comes from and how true it is, where the format's own facts do not.
+    fn add_facts(&mut self, survey: &Survey) {
+        for (name, value) in &survey.heading.provenance {
+            if !self.details.iter().any(|(known, _)| known == name) {
+                self.details.push((name.clone(), value.clone()));
             }
         }
     }

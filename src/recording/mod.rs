@@ -16,6 +16,7 @@ mod part_file;
 mod recorded;
 mod recorder;
 mod sink;
+mod subject;
 mod survey;
 
 pub use contents::{Contents, Entry, contents};
@@ -24,4 +25,5 @@ pub use part_file::PartFile;
 pub use recorded::{Heading, RecordedBody, Recording};
 pub use recorder::{Finished, Recorder};
 pub use sink::Sink;
+pub use subject::{Sampling, Subject};
 pub use survey::{Range, Survey};

@@ -5,7 +5,7 @@ use super::format::Format;
 use super::mcap_file::McapFile;
 use super::picture::Picture;
 use super::rerun_file::RerunFile;
-use super::{PartFile, RecordingError, Sink};
+use super::{PartFile, RecordingError, Sink, Subject};
 use crate::scenario::Plan;
 use crate::telemetry::Samples;
 
@@ -33,19 +33,26 @@ impl Recorder {
     /// If a path has another extension, is named twice, exists (unless `overwrite`), is being written by another run,
     /// or cannot be created; if this build leaves the format out; if the motion cannot be looked over for a picture.
     pub fn create(plan: &Plan, paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Self, RecordingError> {
-        let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
-        refuse_duplicates(&paths)?;
-        let formats = paths.iter().map(|path| Format::of(path)).collect::<Result<Vec<_>, _>>()?;
-        let files = paths.iter().map(|path| PartFile::create(path, overwrite)).collect::<Result<Vec<_>, _>>()?;
-        let mut picture = None;
-        let open = |(format, file)| -> Result<Box<dyn Sink>, RecordingError> {
-            Ok(match format {
-                Format::Mcap => Box::new(McapFile::create(plan, found_once(&mut picture, plan)?, file)?),
-                Format::Rrd => Box::new(RerunFile::create(plan, found_once(&mut picture, plan)?, file)?),
-                Format::Csv => Box::new(CsvFile::create(plan, file)?),
+        let files = files(paths, overwrite)?;
+        // Scales and camera cost a preview of the run.
+        let picture = draws(&files)?.then(|| Picture::of(plan)).transpose()?;
+        let subject = picture.as_ref().map_or_else(|| Subject::of(plan), |picture| Subject::drawn(plan, picture));
+        Self::begin(&subject, files)
+    }
+
+    /// Begins a recording of `subject` in each of `files`, the format by the extension that it will have.
+    ///
+    /// # Errors
+    /// If a file has another extension, or cannot be written; if this build leaves the format out.
+    pub fn begin(subject: &Subject, files: Vec<PartFile>) -> Result<Self, RecordingError> {
+        let open = |file: PartFile| -> Result<Box<dyn Sink>, RecordingError> {
+            Ok(match Format::of(file.path())? {
+                Format::Mcap => Box::new(McapFile::create(subject, file)?),
+                Format::Rrd => Box::new(RerunFile::create(subject, file)?),
+                Format::Csv => Box::new(CsvFile::create(subject, file)?),
             })
         };
-        let sinks = formats.into_iter().zip(files).map(open).collect::<Result<Vec<_>, _>>()?;
+        let sinks = files.into_iter().map(open).collect::<Result<Vec<_>, _>>()?;
         Ok(Self { sinks })
     }
 
@@ -69,12 +76,18 @@ impl Recorder {
     }
 }
 
-/// Scales and camera: they cost a preview of the run, so only formats that draw ask for them.
-fn found_once<'a>(picture: &'a mut Option<Picture>, plan: &Plan) -> Result<&'a Picture, RecordingError> {
-    match picture {
-        Some(picture) => Ok(picture),
-        none => Ok(none.insert(Picture::of(plan)?)),
-    }
+/// A part file for each path, once all of the paths are found right.
+pub(super) fn files(paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Vec<PartFile>, RecordingError> {
+    let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
+    refuse_duplicates(&paths)?;
+    paths.iter().try_for_each(|path| Format::of(path).map(drop))?;
+    paths.iter().map(|path| PartFile::create(path, overwrite)).collect()
+}
+
+/// Whether one of the files will hold pictures.
+pub(super) fn draws(files: &[PartFile]) -> Result<bool, RecordingError> {
+    let formats = files.iter().map(|file| Format::of(file.path())).collect::<Result<Vec<_>, _>>()?;
+    Ok(formats.iter().any(|format| *format != Format::Csv))
 }
 
 fn publish(file: PartFile) -> Result<Finished, RecordingError> {

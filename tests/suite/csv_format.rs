@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use polhode::recording::csv_file::CsvFile;
-use polhode::recording::{PartFile, Recording, Sink, contents};
+use polhode::recording::{PartFile, Recording, Sink, Subject, contents};
 use polhode::scenario::Plan;
 use polhode::telemetry::Channel;
 use tempfile::tempdir;
@@ -13,7 +13,7 @@ use crate::planned::{assert_same_samples, bits, plan, samples, single};
 
 fn record(plan: &Plan, path: &Path) -> String {
     let file = PartFile::create(path, true).expect("a name");
-    let mut sink = CsvFile::create(plan, file).expect("room");
+    let mut sink = CsvFile::create(&Subject::of(plan), file).expect("room");
     for samples in samples(plan, 512) {
         sink.write(&samples).expect("room");
     }

@@ -6,7 +6,7 @@ use std::io::Write;
 use std::path::Path;
 
 use polhode::recording::csv_file::CsvFile;
-use polhode::recording::{PartFile, Recorder, RecordingError, Sink, contents};
+use polhode::recording::{PartFile, Recorder, RecordingError, Sink, Subject, contents};
 use polhode::scenario::Plan;
 use tempfile::tempdir;
 
@@ -16,16 +16,16 @@ use crate::planned::{plan, samples, single};
 type Open = fn(&Plan, PartFile) -> Result<Box<dyn Sink>, RecordingError>;
 
 fn formats() -> Vec<(&'static str, Open)> {
-    let csv: Open = |plan, file| Ok(Box::new(CsvFile::create(plan, file)?));
+    let csv: Open = |plan, file| Ok(Box::new(CsvFile::create(&Subject::of(plan), file)?));
     #[cfg(feature = "mcap")]
     let mcap: Open = |plan, file| {
         let picture = crate::planned::picture(plan);
-        Ok(Box::new(polhode::recording::mcap_file::McapFile::create(plan, &picture, file)?))
+        Ok(Box::new(polhode::recording::mcap_file::McapFile::create(&Subject::drawn(plan, &picture), file)?))
     };
     #[cfg(feature = "rerun")]
     let rrd: Open = |plan, file| {
         let picture = crate::planned::picture(plan);
-        Ok(Box::new(polhode::recording::rerun_file::RerunFile::create(plan, &picture, file)?))
+        Ok(Box::new(polhode::recording::rerun_file::RerunFile::create(&Subject::drawn(plan, &picture), file)?))
     };
     vec![
         ("csv", csv),

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use mcap::MessageStream;
 use polhode::recording::mcap_file::McapFile;
-use polhode::recording::{Contents, Entry, PartFile, Recorder, Recording, Sink, contents};
+use polhode::recording::{Contents, Entry, PartFile, Recorder, Recording, Sink, Subject, contents};
 use polhode::scenario::Plan;
 use polhode::telemetry::{BodySamples, Channel};
 use prost::Message;
@@ -140,7 +140,7 @@ impl BodyState {
 /// Records `plan` at `path` in batches of `batch`.
 fn record(plan: &Plan, path: &Path, batch: usize) {
     let file = PartFile::create(path, false).expect("a free name");
-    let mut sink = McapFile::create(plan, &picture(plan), file).expect("room");
+    let mut sink = McapFile::create(&Subject::drawn(plan, &picture(plan)), file).expect("room");
     for samples in samples(plan, batch) {
         sink.write(&samples).expect("room");
     }

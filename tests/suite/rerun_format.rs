@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use polhode::recording::rerun_file::RerunFile;
-use polhode::recording::{Contents, PartFile, Recording, RecordingError, Sink, contents};
+use polhode::recording::{Contents, PartFile, Recording, RecordingError, Sink, Subject, contents};
 use polhode::scenario::{Grid, Plan};
 use polhode::telemetry::Channel;
 use re_chunk::Chunk;
@@ -18,7 +18,7 @@ use crate::planned::{assert_same_samples, bits, picture, plan, samples, single};
 /// Records `plan` at `path` in batches of `batch`.
 fn record(plan: &Plan, path: &Path, batch: usize) {
     let file = PartFile::create(path, false).expect("a free name");
-    let mut sink = Box::new(RerunFile::create(plan, &picture(plan), file).expect("room"));
+    let mut sink = Box::new(RerunFile::create(&Subject::drawn(plan, &picture(plan)), file).expect("room"));
     for samples in samples(plan, batch) {
         sink.write(&samples).expect("room");
     }
@@ -162,7 +162,7 @@ fn a_body_at_rest_has_no_arrow() {
         column.fill(0.0);
     }
     let file = PartFile::create(&path, false).expect("a free name");
-    let mut sink = Box::new(RerunFile::create(&plan, &picture(&plan), file).expect("room"));
+    let mut sink = Box::new(RerunFile::create(&Subject::drawn(&plan, &picture(&plan)), file).expect("room"));
     sink.write(&samples).expect("room");
     sink.finish().expect("room").publish().expect("a free name");
     let arrows = chunks(&path);

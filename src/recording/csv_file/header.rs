@@ -1,5 +1,4 @@
 use crate::recording::{Heading, RecordedBody};
-use crate::scenario::Plan;
 use crate::telemetry::Channel;
 
 /// What comes first.
@@ -8,9 +7,9 @@ pub(super) const TIME: &str = "time_s";
 const SINGLE: &str = "body";
 
 /// The line that names the columns.
-pub(super) fn header(plan: &Plan) -> String {
-    let one_body = plan.bodies.len() == 1;
-    let columns = plan.bodies.iter().flat_map(|body| {
+pub(super) fn header(bodies: &[RecordedBody]) -> String {
+    let one_body = bodies.len() == 1;
+    let columns = bodies.iter().flat_map(|body| {
         let prefix = if one_body { String::new() } else { format!("{}.", body.name) };
         columns(&body.channels).map(move |column| format!("{prefix}{column}"))
     });

@@ -1,8 +1,7 @@
 use std::io::{self, Write};
 
 use super::header::header;
-use crate::recording::{PartFile, RecordingError, Sink};
-use crate::scenario::Plan;
+use crate::recording::{PartFile, RecordingError, Sink, Subject};
 use crate::telemetry::{BodySamples, Samples};
 
 /// A `.csv` in the making.
@@ -17,8 +16,8 @@ impl CsvFile {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn create(plan: &Plan, file: PartFile) -> Result<Self, RecordingError> {
-        let mut text = header(plan).into_bytes();
+    pub fn create(subject: &Subject, file: PartFile) -> Result<Self, RecordingError> {
+        let mut text = header(&subject.heading.bodies).into_bytes();
         text.push(b'\n');
         let mut sink = Self { file, text };
         let written = sink.send();

@@ -1,9 +1,7 @@
 use std::path::Path;
 
-use crate::recording::picture::Picture;
 use crate::recording::recorded::Opened;
-use crate::recording::{Contents, PartFile, RecordingError, Sink};
-use crate::scenario::Plan;
+use crate::recording::{Contents, PartFile, RecordingError, Sink, Subject};
 use crate::telemetry::Samples;
 
 /// The format that this build leaves out: there is no value of this type.
@@ -16,7 +14,7 @@ impl McapFile {
     /// # Errors
     /// Always [`RecordingError::FormatAbsent`].
     #[expect(clippy::needless_pass_by_value, reason = "the same interface as with the feature")]
-    pub fn create(_plan: &Plan, _picture: &Picture, file: PartFile) -> Result<Self, RecordingError> {
+    pub fn create(_subject: &Subject, file: PartFile) -> Result<Self, RecordingError> {
         Err(absent(file.path()))
     }
 }

@@ -1,7 +1,7 @@
 //! What a run looks like, decided once for all picture formats: scales, colours, camera, rate.
 
 mod camera;
-mod pace;
+pub(super) mod pace;
 mod poinsot;
 mod preview;
 pub(super) mod scale;

@@ -6,6 +6,7 @@ use mcap::{McapError, McapResult, parse_record};
 
 use super::scan::attachment;
 use super::state::{self, StateLayout};
+use crate::recording::subject::certificate;
 use crate::recording::{Heading, RecordedBody};
 use crate::scenario::nanoseconds;
 use crate::telemetry::{BodySamples, Channel, Samples};
@@ -19,8 +20,6 @@ pub(super) struct Intake {
     /// By number of the topic: number of the body.
     topics: BTreeMap<u16, usize>,
     layouts: Vec<StateLayout>,
-    /// Facts about bodies that come before the bodies.
-    facts: BTreeMap<String, String>,
     samples: Samples,
     /// Whose message comes next.
     next: usize,
@@ -81,8 +80,7 @@ impl Intake {
     }
 
     fn take_facts(&mut self, metadata: Metadata) {
-        self.heading.provenance = metadata.metadata.clone().into_iter().collect();
-        self.facts = metadata.metadata;
+        self.heading.provenance = metadata.metadata.into_iter().collect();
     }
 
     /// A file repeats its topics at its end; a new one after the first sample would lack that one.
@@ -111,15 +109,9 @@ impl Intake {
         self.topics.insert(topic.id, self.layouts.len());
         self.layouts.push(StateLayout::new(&channels));
         self.samples.bodies.push(BodySamples::new(&channels));
-        let certificate = self.certificate(name);
+        let certificate = certificate(&self.heading.provenance, name);
         self.heading.bodies.push(RecordedBody { name: name.into(), channels, certificate });
         Ok(())
-    }
-
-    fn certificate(&self, body: &str) -> Vec<(String, String)> {
-        let prefix = format!("body.{body}.certificate.");
-        let facts = self.facts.iter();
-        facts.filter_map(|(name, value)| Some((name.strip_prefix(&prefix)?.to_owned(), value.clone()))).collect()
     }
 
     fn take_message(&mut self, header: &MessageHeader, data: &[u8]) -> McapResult<()> {

@@ -5,8 +5,8 @@ use prost::Message;
 
 use super::container::{Output, Topic};
 use super::foxglove::{LOG, Log, Timestamp};
-use crate::recording::RecordingError;
-use crate::scenario::{Plan, nanoseconds};
+use crate::recording::{RecordingError, Subject};
+use crate::scenario::{Event, Plan, nanoseconds};
 
 /// What happens in the run, in words, on `/log`.
 #[derive(Debug)]
@@ -17,17 +17,12 @@ pub(super) struct EventLog {
 }
 
 impl EventLog {
-    /// The start, at the time of the first sample or event, and the plan's events.
-    pub fn new(plan: &Plan, output: &mut Output) -> Result<Self, RecordingError> {
-        let events = plan.events.iter().map(|event| {
-            let body = plan.bodies.get(event.body).map_or("", |body| &body.name);
-            entry(nanoseconds(event.time_s), body, &event.text)
-        });
-        let mut entries: Vec<_> = events.collect();
-        entries.sort_by_key(|(stamp, _)| *stamp);
-        let first_sample = nanoseconds(plan.grid.time(0));
+    /// The start, at the time of the first sample or event, and the events of a plan.
+    pub fn new(subject: &Subject, output: &mut Output) -> Result<Self, RecordingError> {
+        let mut entries = subject.drawing.map(|(plan, _)| events(plan)).unwrap_or_default();
+        let first_sample = nanoseconds(subject.sampling.from_s);
         let start = entries.first().map_or(first_sample, |(stamp, _)| first_sample.min(*stamp));
-        entries.insert(0, entry(start, &plan.name, &plan.title));
+        entries.insert(0, entry(start, &subject.name, &subject.title));
         let mut later = entries.into_iter();
         let topic = output.topic("/log", LOG, &BTreeMap::new())?;
         Ok(Self { topic, next: later.next(), later })
@@ -41,6 +36,17 @@ impl EventLog {
         }
         Ok(())
     }
+}
+
+/// What happens to the bodies, in order of time.
+fn events(plan: &Plan) -> Vec<(i64, Log)> {
+    let event = |event: &Event| {
+        let body = plan.bodies.get(event.body).map_or("", |body| &body.name);
+        entry(nanoseconds(event.time_s), body, &event.text)
+    };
+    let mut entries: Vec<_> = plan.events.iter().map(event).collect();
+    entries.sort_by_key(|(stamp, _)| *stamp);
+    entries
 }
 
 fn entry(stamp_ns: i64, name: &str, message: &str) -> (i64, Log) {

@@ -10,8 +10,8 @@ use super::scene::MovingScene;
 use super::state::{self, StateLayout};
 use super::surfaces::surfaces;
 use crate::recording::picture::Picture;
-use crate::recording::{PartFile, RecordingError, Sink};
-use crate::scenario::{Plan, PlannedBody, nanoseconds};
+use crate::recording::{PartFile, RecordedBody, RecordingError, Sink, Subject};
+use crate::scenario::nanoseconds;
 use crate::telemetry::Samples;
 
 /// An `.mcap` in the making.
@@ -19,9 +19,8 @@ use crate::telemetry::Samples;
 pub struct McapFile {
     output: Output,
     states: Vec<(StateLayout, Topic)>,
-    scene: MovingScene,
+    scene: Option<(MovingScene, Picture)>,
     log: EventLog,
-    picture: Picture,
     end_ns: i64,
 }
 
@@ -30,29 +29,32 @@ impl McapFile {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub fn create(plan: &Plan, picture: &Picture, file: PartFile) -> Result<Self, RecordingError> {
+    pub fn create(subject: &Subject, file: PartFile) -> Result<Self, RecordingError> {
         let mut output = Output::create(file)?;
-        output.describe(&about::metadata(plan))?;
-        if let Some(text) = about::scene_text(plan) {
+        output.describe(&about::metadata(subject))?;
+        if let Some(text) = about::scene_text(subject) {
             output.attach(&text)?;
         }
         let schema = state::descriptor();
-        let mut state = |body: &PlannedBody| -> Result<_, RecordingError> {
+        let mut state = |body: &RecordedBody| -> Result<_, RecordingError> {
             let topic = format!("/body/{}/state", body.name);
             let topic = output.topic(&topic, (state::NAME, &schema), &units(body))?;
             Ok((StateLayout::new(&body.channels), topic))
         };
-        let states = plan.bodies.iter().map(&mut state).collect::<Result<_, _>>()?;
-        let scene = MovingScene::new(plan, picture, &mut output)?;
-        let mut log = EventLog::new(plan, &mut output)?;
-        let start_ns = nanoseconds(plan.grid.time(0));
-        if let Some(update) = surfaces(plan, picture, start_ns) {
+        let states = subject.heading.bodies.iter().map(&mut state).collect::<Result<_, _>>()?;
+        let scene = match subject.drawing {
+            Some((plan, picture)) => Some((MovingScene::new(plan, picture, &mut output)?, picture.clone())),
+            None => None,
+        };
+        let mut log = EventLog::new(subject, &mut output)?;
+        let start_ns = nanoseconds(subject.sampling.from_s);
+        if let Some(update) = subject.drawing.and_then(|(plan, picture)| surfaces(plan, picture, start_ns)) {
             let mut topic = output.topic("/scene/surfaces", SCENE_UPDATE, &BTreeMap::new())?;
             log.tell_until(start_ns, &mut output)?;
             output.send(&mut topic, start_ns, |bytes| update.encode_raw(bytes))?;
         }
         output.flush()?;
-        Ok(Self { output, states, scene, log, picture: picture.clone(), end_ns: nanoseconds(plan.grid.end()) })
+        Ok(Self { output, states, scene, log, end_ns: nanoseconds(subject.sampling.to_s) })
     }
 }
 
@@ -65,8 +67,10 @@ impl Sink for McapFile {
                 let data = |bytes: &mut Vec<u8>| layout.encode((time_s, stamp_ns), body.columns(), index, bytes);
                 self.output.send(topic, stamp_ns, data)?;
             }
-            if self.picture.draws(number) {
-                self.scene.draw(samples, index, &mut self.output)?;
+            if let Some((scene, picture)) = &mut self.scene
+                && picture.draws(number)
+            {
+                scene.draw(samples, index, &mut self.output)?;
             }
         }
         Ok(())
@@ -79,7 +83,7 @@ impl Sink for McapFile {
 }
 
 /// Unit and frame of each field, beside the topic.
-fn units(body: &PlannedBody) -> BTreeMap<String, String> {
+fn units(body: &RecordedBody) -> BTreeMap<String, String> {
     let rows = body.channels.iter().map(|channel| channel.row());
     rows.map(|row| (row.name.to_owned(), format!("{}, {}", row.title, row.unit))).collect()
 }

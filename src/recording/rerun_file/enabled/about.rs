@@ -86,13 +86,6 @@ fn checks(plan: &Plan) -> String {
     text
 }
 
-/// The certificate of a body as plain text, a fact a line, for programs; `None` where nothing was measured.
-pub(super) fn certificate(body: &PlannedBody) -> Option<TextDocument> {
-    let facts = body.certificate.as_ref()?.facts();
-    let lines: Vec<_> = facts.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-    Some(TextDocument::new(lines.join("\n")))
-}
-
 /// What was measured of the bodies' errors, if anything.
 fn certificates(plan: &Plan) -> String {
     let mut text = String::new();

@@ -2,9 +2,8 @@ use super::columns::{sim_time, timelines};
 use super::moving::Moving;
 use super::plots::Plots;
 use super::stream::{Rows, Store, Stream};
-use super::{about, identity, layout, statics};
-use crate::recording::picture::Picture;
-use crate::recording::{PartFile, RecordingError, Sink};
+use super::{about, identity, layout, plain, statics, words};
+use crate::recording::{PartFile, RecordingError, Sink, Subject};
 use crate::scenario::{Plan, nanoseconds};
 use crate::telemetry::Samples;
 
@@ -13,7 +12,7 @@ pub struct RerunFile {
     stream: Stream<PartFile>,
     store: Store,
     plots: Plots,
-    moving: Moving,
+    moving: Option<Moving>,
 }
 
 impl RerunFile {
@@ -21,26 +20,30 @@ impl RerunFile {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn create(plan: &Plan, picture: &Picture, file: PartFile) -> Result<Self, RecordingError> {
+    pub fn create(subject: &Subject, file: PartFile) -> Result<Self, RecordingError> {
         let path = file.path().to_path_buf();
         let mut stream = Stream::begin(file, path)?;
-        let recording = identity::recording(plan).map_err(|reason| stream.refused(reason))?;
-        let blueprint = identity::blueprint(plan).map_err(|reason| stream.refused(reason))?;
+        let recording = identity::recording(subject).map_err(|reason| stream.refused(reason))?;
+        let blueprint = identity::blueprint(subject).map_err(|reason| stream.refused(reason))?;
         let store = stream.open(recording)?;
         let blueprint = stream.open(blueprint)?;
-        layout::write(&mut stream, blueprint, plan, picture)?;
+        match subject.drawing {
+            Some((plan, picture)) => layout::write(&mut stream, blueprint, plan, picture)?,
+            None => plain::write_layout(&mut stream, blueprint, subject)?,
+        }
         stream.activate(blueprint)?;
 
-        stream.once(store, "/about", &[], &about::document(plan, picture))?;
-        for body in &plan.bodies {
-            if let Some(certificate) = about::certificate(body) {
-                stream.once(store, &format!("/certificate/{}", body.name), &[], &certificate)?;
-            }
+        words::write(&mut stream, store, subject)?;
+        if let Some((plan, picture)) = subject.drawing {
+            stream.once(store, "/about", &[], &about::document(plan, picture))?;
+            statics::write(&mut stream, store, plan, picture)?;
+            write_events(&mut stream, store, plan)?;
+        } else {
+            plain::write(&mut stream, store, subject)?;
         }
-        statics::write(&mut stream, store, plan, picture)?;
-        let plots = Plots::begin(&mut stream, store, plan)?;
-        write_events(&mut stream, store, plan)?;
-        Ok(Self { stream, store, plots, moving: Moving::new(plan, picture) })
+        let plots = Plots::begin(&mut stream, store, &subject.heading, subject.sampling)?;
+        let moving = subject.drawing.map(|(plan, picture)| Moving::new(plan, picture));
+        Ok(Self { stream, store, plots, moving })
     }
 }
 
@@ -53,7 +56,10 @@ impl Sink for RerunFile {
         let times = timelines(samples.stamps_ns.clone(), steps);
         let rows = Rows { count: samples.len(), times: &times };
         self.plots.write(&mut self.stream, self.store, rows, samples)?;
-        self.moving.write(&mut self.stream, self.store, samples)
+        match &mut self.moving {
+            Some(moving) => moving.write(&mut self.stream, self.store, samples),
+            None => Ok(()),
+        }
     }
 
     fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {

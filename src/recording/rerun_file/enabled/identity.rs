@@ -2,35 +2,35 @@ use re_log_types::{ApplicationId, RecordingId, StoreId, StoreKind};
 use sha2::{Digest as _, Sha256};
 use uuid::Uuid;
 
-use crate::scenario::Plan;
+use crate::recording::Subject;
 
 /// The store of the samples. The viewer merges files with equal ids, so equal ids mean equal contents: the id is a hash
-/// of what identifies the plan, of its name and of this crate's version.
+/// of what identifies the subject, of its name and of this crate's version.
 ///
 /// # Errors
 /// If Rerun refuses the name.
-pub(super) fn recording(plan: &Plan) -> Result<StoreId, String> {
+pub(super) fn recording(subject: &Subject) -> Result<StoreId, String> {
     let mut hash = Sha256::new();
-    for part in [env!("CARGO_PKG_VERSION"), plan.name.as_str(), plan.identity.as_str()] {
+    for part in [env!("CARGO_PKG_VERSION"), subject.name.as_str(), subject.identity.as_str()] {
         hash.update(part.as_bytes());
         hash.update([0]);
     }
     let hash: [u8; 32] = hash.finalize().into();
     let id = hash.iter().take(16).fold(0_u128, |id, byte| id << 8 | u128::from(*byte));
-    Ok(StoreId::new(StoreKind::Recording, application(plan)?, RecordingId::from(format!("{id:032x}"))))
+    Ok(StoreId::new(StoreKind::Recording, application(subject)?, RecordingId::from(format!("{id:032x}"))))
 }
 
 /// The store of the layout.
 ///
 /// # Errors
 /// If Rerun refuses the name.
-pub(super) fn blueprint(plan: &Plan) -> Result<StoreId, String> {
-    Ok(StoreId::new(StoreKind::Blueprint, application(plan)?, RecordingId::from("layout".to_owned())))
+pub(super) fn blueprint(subject: &Subject) -> Result<StoreId, String> {
+    Ok(StoreId::new(StoreKind::Blueprint, application(subject)?, RecordingId::from("layout".to_owned())))
 }
 
 /// One per scene: the viewer keeps one layout per application, and layouts name the scene's bodies.
-fn application(plan: &Plan) -> Result<ApplicationId, String> {
-    ApplicationId::try_new(format!("polhode-{}", plan.name)).map_err(|error| error.to_string())
+fn application(subject: &Subject) -> Result<ApplicationId, String> {
+    ApplicationId::try_new(format!("polhode-{}", subject.name)).map_err(|error| error.to_string())
 }
 
 /// The id of the layout's part `number`. Constant, so that the same layout has the same bytes.

@@ -12,8 +12,9 @@ use super::palette;
 use super::statics::BodyEntities;
 use super::stream::{Store, Stream};
 use super::trail::Cut;
-use crate::recording::RecordingError;
 use crate::recording::picture::{Picture, scale};
+use crate::recording::subject::bodies;
+use crate::recording::{RecordingError, Sampling};
 use crate::scenario::{Plan, nanoseconds};
 
 /// What is on the screen at first: the picture above its explanation, the plots beside them.
@@ -47,7 +48,7 @@ pub(super) fn write<W: Write>(
     let parts = [scene, words];
     let left = Container { kind: ContainerKind::Vertical, name: "", parts: &parts, shares: &shares };
     let left = blueprint.container(&left)?;
-    let right = super::plot_views::write(&mut blueprint, plan)?;
+    let right = super::plot_views::write(&mut blueprint, &bodies(plan, &[]), Sampling::of(&plan.grid))?;
     let columns: Vec<_> = [Some(left), right].into_iter().flatten().collect();
     let root = blueprint.container(&Container {
         kind: ContainerKind::Horizontal,

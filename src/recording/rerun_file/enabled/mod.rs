@@ -6,7 +6,7 @@
 //! * `/world/…`: the picture, f32, at the picture's rate: `body/<name>` with its shape and axes, `vectors/<name>/…`,
 //!   `trail/<name>`, `path/<name>`, `axes`.
 //! * `/poinsot/<name>/…`, `/body_frame/<name>/…`: Poinsot's construction of a body that turns freely, f32, at the same rate.
-//! * `/about`, `/log`: words.
+//! * `/about`, `/log`: words. `/scene`, `/provenance`: where it comes from, for programs, too.
 //!
 //! Timelines: `sim_time`, ns from the start of the run, and `step`, the number of the sample.
 
@@ -19,6 +19,7 @@ mod layout;
 mod messages;
 mod moving;
 mod palette;
+mod plain;
 mod plot_views;
 mod plots;
 mod poinsot;
@@ -30,6 +31,7 @@ mod statics;
 mod stream;
 mod trail;
 mod unpack;
+mod words;
 
 pub use file::RerunFile;
 pub use read::contents;

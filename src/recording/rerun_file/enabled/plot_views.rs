@@ -6,8 +6,8 @@ use re_sdk_types::datatypes::{TimeInt, TimeRange, TimeRangeBoundary};
 
 use super::blueprint::{Blueprint, Container, Part, View};
 use super::plots::{ZERO, entity};
-use crate::recording::RecordingError;
-use crate::scenario::{Plan, PlannedBody, nanoseconds};
+use crate::recording::{RecordedBody, RecordingError, Sampling};
+use crate::scenario::nanoseconds;
 use crate::telemetry::Channel;
 
 /// Channels that share a plot, and its title: what people look at first comes first. Never a drift beside its quantity.
@@ -42,16 +42,20 @@ const SEPARATE: usize = 4;
 ///
 /// # Errors
 /// If they cannot be written.
-pub(super) fn write<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Option<Part>, RecordingError> {
-    let mut plots = PlotViews { blueprint, times: whole_run(plan) };
+pub(super) fn write<W: Write>(
+    blueprint: &mut Blueprint<'_, W>,
+    bodies: &[RecordedBody],
+    sampling: Sampling,
+) -> Result<Option<Part>, RecordingError> {
+    let mut plots = PlotViews { blueprint, times: whole_run(sampling) };
     let mut parts = Vec::new();
     for (title, channels) in PLOTS {
-        parts.extend(plots.quantity(title, channels, &plan.bodies)?);
+        parts.extend(plots.quantity(title, channels, bodies)?);
     }
     if parts.len() <= 1 {
         return Ok(parts.pop());
     }
-    if plan.bodies.len() > 1 {
+    if bodies.len() > 1 {
         return plots.container(ContainerKind::Tabs, "", &parts).map(Some);
     }
     if parts.len() > VISIBLE {
@@ -68,9 +72,9 @@ pub(super) fn shares_plot(channels: &[Channel], bodies: usize) -> bool {
 }
 
 /// A time axis from the first to the last sample: what the viewer would show is a minute around the cursor.
-fn whole_run(plan: &Plan) -> TimeAxis {
+fn whole_run(sampling: Sampling) -> TimeAxis {
     let at = |time| TimeRangeBoundary::Absolute(TimeInt(nanoseconds(time)));
-    let range = TimeRange { start: at(plan.grid.time(0)), end: at(plan.grid.end()) };
+    let range = TimeRange { start: at(sampling.from_s), end: at(sampling.to_s) };
     TimeAxis::new().with_link(LinkAxis::Independent).with_view_range(components::TimeRange(range))
 }
 
@@ -90,9 +94,9 @@ impl<W: Write> PlotViews<'_, '_, W> {
         &mut self,
         title: &str,
         channels: &[Channel],
-        bodies: &[PlannedBody],
+        bodies: &[RecordedBody],
     ) -> Result<Option<Part>, RecordingError> {
-        let is_recorded = |body: &&PlannedBody| channels.iter().any(|channel| body.channels.contains(channel));
+        let is_recorded = |body: &&RecordedBody| channels.iter().any(|channel| body.channels.contains(channel));
         let having: Vec<_> = bodies.iter().filter(is_recorded).collect();
         if having.is_empty() {
             return Ok(None);
@@ -108,7 +112,7 @@ impl<W: Write> PlotViews<'_, '_, W> {
     }
 
     /// One plot.
-    fn view(&mut self, name: &str, channels: &[Channel], bodies: &[&PlannedBody]) -> Result<Part, RecordingError> {
+    fn view(&mut self, name: &str, channels: &[Channel], bodies: &[&RecordedBody]) -> Result<Part, RecordingError> {
         let mut contents = Vec::new();
         for body in bodies {
             let recorded = channels.iter().filter(|channel| body.channels.contains(channel));

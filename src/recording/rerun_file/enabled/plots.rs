@@ -1,14 +1,15 @@
 use std::io::Write;
 
-use re_sdk_types::archetypes::{Scalars, SeriesLines};
+use re_sdk_types::archetypes::{Scalars, SeriesLines, TextDocument};
 use re_sdk_types::components::{Color, Name};
 
 use super::columns::{scalars, timelines};
 use super::palette;
 use super::plot_views::shares_plot;
 use super::stream::{Rows, Store, Stream};
-use crate::recording::RecordingError;
-use crate::scenario::{Grid, Plan, nanoseconds};
+use super::words;
+use crate::recording::{Heading, RecordedBody, RecordingError, Sampling};
+use crate::scenario::nanoseconds;
 use crate::telemetry::{Channel, Samples};
 
 /// Entity of the exact times, where the grid is a list, s.
@@ -38,25 +39,32 @@ pub(super) fn channel_of(entity: &str) -> Option<(&str, Channel)> {
 }
 
 impl Plots {
-    /// Logs the curves' names and colours, and the sampling interval.
+    /// Logs the bodies, the curves' names and colours, and the sampling interval.
     ///
     /// # Errors
     /// If they cannot be written.
-    pub(super) fn begin<W: Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Result<Self, RecordingError> {
-        let mut entities = Vec::with_capacity(plan.bodies.len());
-        for (number, body) in plan.bodies.iter().enumerate() {
+    pub(super) fn begin<W: Write>(
+        stream: &mut Stream<W>,
+        store: Store,
+        heading: &Heading,
+        sampling: Sampling,
+    ) -> Result<Self, RecordingError> {
+        let mut entities = Vec::with_capacity(heading.bodies.len());
+        for (number, body) in heading.bodies.iter().enumerate() {
+            let method = TextDocument::new(words::method(&heading.provenance, &body.name));
+            stream.once(store, &words::body(&body.name), &[], &method)?;
             let of_body: Vec<_> =
                 body.channels.iter().map(|channel| (*channel, entity(&body.name, *channel))).collect();
             for (channel, entity) in &of_body {
-                stream.once(store, entity, &[], &curves(*channel, number, plan))?;
+                stream.once(store, entity, &[], &curves(*channel, number, &heading.bodies))?;
             }
             entities.push(of_body);
         }
-        write_zero(stream, store, plan)?;
-        if let Grid::Uniform { every_s, .. } = plan.grid {
-            stream.once(store, INTERVAL, &[], &Scalars::new([every_s]))?;
+        write_zero(stream, store, sampling)?;
+        if let Some(interval) = sampling.interval_s {
+            stream.once(store, INTERVAL, &[], &Scalars::new([interval]))?;
         }
-        Ok(Self { entities, lists_times: matches!(plan.grid, Grid::List(_)) })
+        Ok(Self { entities, lists_times: sampling.interval_s.is_none() })
     }
 
     /// Logs one batch.
@@ -85,21 +93,21 @@ impl Plots {
 }
 
 /// Logs a line from the first to the last sample.
-fn write_zero<W: Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Result<(), RecordingError> {
+fn write_zero<W: Write>(stream: &mut Stream<W>, store: Store, sampling: Sampling) -> Result<(), RecordingError> {
     let [red, green, blue] = palette::ZERO;
     let style = SeriesLines::new().with_names(["0"]).with_colors([Color::from_rgb(red, green, blue)]);
     stream.once(store, ZERO, &[], &style)?;
-    let stamps = [plan.grid.time(0), plan.grid.end()].map(nanoseconds);
-    let steps = [0, plan.grid.len().saturating_sub(1).cast_signed()];
+    let stamps = [sampling.from_s, sampling.to_s].map(nanoseconds);
+    let steps = [0, sampling.samples.saturating_sub(1).cast_signed()];
     let times = timelines(stamps.to_vec(), steps.to_vec());
     stream.columns(store, ZERO, Rows { count: 2, times: &times }, [scalars(&[vec![0.0; 2]])])
 }
 
 /// The curves of a channel: their names (the view's title says the unit) and colours.
-fn curves(channel: Channel, number: usize, plan: &Plan) -> SeriesLines {
+fn curves(channel: Channel, number: usize, bodies: &[RecordedBody]) -> SeriesLines {
     let row = channel.row();
-    let is_shared = shares_plot(&[channel], plan.bodies.len());
-    let owner = if is_shared { plan.bodies[number].name.as_str() } else { "" };
+    let is_shared = shares_plot(&[channel], bodies.len());
+    let owner = if is_shared { bodies[number].name.as_str() } else { "" };
     let names = row.components.iter().map(|component| {
         let parts = [owner, symbol(channel), component];
         let words: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();

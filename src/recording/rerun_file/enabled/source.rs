@@ -1,14 +1,15 @@
 use std::path::Path;
 
 use re_chunk::{Chunk, TimelineName};
-use re_log_types::{LogMsg, StoreId, StoreKind};
+use re_log_types::{LogMsg, StoreKind};
 use re_sdk_types::archetypes::{Scalars, TextDocument};
 
 use super::columns::{SIM_TIME, STEP};
 use super::messages::{End, Messages};
 use super::plots::{INTERVAL, TIME, channel_of};
-use super::unpack;
+use super::{unpack, words};
 use crate::recording::recorded::{Opened, Source};
+use crate::recording::subject::certificate;
 use crate::recording::{Heading, RecordedBody, RecordingError};
 use crate::scenario::nanoseconds;
 use crate::telemetry::{Channel, Samples};
@@ -25,7 +26,6 @@ struct Intake {
     heading: Heading,
     /// Number of the body, and channel, in the order of the file.
     channels: Vec<(usize, Channel)>,
-    certificates: Vec<(String, String)>,
     interval_s: Option<f64>,
     samples: Samples,
     next_step: i64,
@@ -40,14 +40,11 @@ struct Intake {
 /// If it cannot be read, is damaged, or no recording of this crate.
 pub(in crate::recording) fn open(path: &Path) -> Result<Opened, RecordingError> {
     let mut source = RrdSource { messages: Messages::open(path)?, intake: Intake::default() };
-    let version = source.messages.version().to_string();
-    source.intake.heading.provenance.push(("rerun_version".into(), version));
     while !source.intake.has_begun && source.advance()? {}
-    if source.intake.channels.is_empty() {
-        let reason = "it has no /body/<name>/plots/<channel>: no recording of this program, or none of its start";
+    if source.intake.heading.bodies.is_empty() {
+        let reason = "it has no /body/<name>: no recording of this program, or none of its start";
         return Err(source.messages.damaged(reason));
     }
-    source.intake.tell_certificates();
     Ok((source.intake.heading.clone(), Box::new(source)))
 }
 
@@ -56,10 +53,6 @@ impl RrdSource {
     fn advance(&mut self) -> Result<bool, RecordingError> {
         let Some(message) = self.messages.next() else { return Ok(false) };
         let taken = match message? {
-            LogMsg::SetStoreInfo(store) => {
-                self.intake.take_store(&store.info.store_id);
-                Ok(())
-            }
             LogMsg::ArrowMsg(store, batch) if store.kind() == StoreKind::Recording => {
                 unpack::chunk(&batch).and_then(|chunk| self.intake.take(&chunk))
             }
@@ -90,14 +83,6 @@ impl Source for RrdSource {
 }
 
 impl Intake {
-    fn take_store(&mut self, store: &StoreId) {
-        if store.kind() == StoreKind::Recording {
-            let facts =
-                [("application", store.application_id().to_string()), ("recording", store.recording_id().to_string())];
-            self.heading.provenance.extend(facts.map(|(name, value)| (name.to_owned(), value)));
-        }
-    }
-
     fn take(&mut self, chunk: &Chunk) -> Result<(), String> {
         let entity = chunk.entity_path().to_string();
         if chunk.is_static() {
@@ -120,17 +105,28 @@ impl Intake {
         if entity == INTERVAL {
             let numbers = numbers(chunk, 1)?;
             self.interval_s = numbers.first().copied();
-        } else if entity == "/about"
-            && let Some(text) = text(chunk)?
-        {
-            self.heading.provenance.push(("about".into(), text));
-        } else if let Some(body) = entity.strip_prefix("/certificate/")
-            && let Some(text) = text(chunk)?
-        {
-            self.certificates.push((body.to_owned(), text));
+        } else if entity == words::SCENE {
+            self.heading.scene = text(chunk)?;
+        } else if entity == words::PROVENANCE {
+            self.heading.provenance = text(chunk)?.map(|lines| words::facts(&lines)).unwrap_or_default();
+        } else if let Some(body) = words::body_of(entity) {
+            self.announce_body(body)?;
         } else if let Some((body, channel)) = channel_of(entity) {
             self.announce(body, channel)?;
         }
+        Ok(())
+    }
+
+    /// Before the first sample each body is named, and right after it come its channels.
+    fn announce_body(&mut self, name: &str) -> Result<(), String> {
+        if self.has_begun {
+            return Err(format!("the body {name} begins after the first sample"));
+        }
+        if self.heading.bodies.iter().any(|body| body.name == name) {
+            return Err(format!("two bodies are called {name}"));
+        }
+        let certificate = certificate(&self.heading.provenance, name);
+        self.heading.bodies.push(RecordedBody { name: name.into(), certificate, ..RecordedBody::default() });
         Ok(())
     }
 
@@ -141,10 +137,7 @@ impl Intake {
         }
         let bodies = &mut self.heading.bodies;
         if bodies.last().is_none_or(|last| last.name != name) {
-            if bodies.iter().any(|body| body.name == name) {
-                return Err(format!("the channels of {name} are not in one place"));
-            }
-            bodies.push(RecordedBody { name: name.into(), ..RecordedBody::default() });
+            return Err(format!("{} of {name} does not follow that body", channel.row().name));
         }
         let number = bodies.len() - 1;
         if bodies[number].channels.contains(&channel) {
@@ -227,15 +220,6 @@ impl Intake {
         self.samples.clear();
         self.next = 0;
         Ok(())
-    }
-
-    fn tell_certificates(&mut self) {
-        for (name, text) in &self.certificates {
-            let facts = text.lines().filter_map(|line| line.split_once(" = "));
-            if let Some(body) = self.heading.bodies.iter_mut().find(|body| body.name == *name) {
-                body.certificate = facts.map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
-            }
-        }
     }
 }
 

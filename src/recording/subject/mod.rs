@@ -1,0 +1,12 @@
+//! What a recording is of: all that its sink is told before the first sample, made from a plan or from what was read back.
+
+mod digest;
+mod facts;
+mod sampling;
+mod told;
+
+pub use sampling::Sampling;
+pub use told::Subject;
+
+pub(super) use facts::certificate;
+pub(super) use told::bodies;

@@ -1,0 +1,56 @@
+use super::{Sampling, facts};
+use crate::recording::picture::Picture;
+use crate::recording::{Heading, RecordedBody};
+use crate::scenario::Plan;
+
+/// What a recording is of. A run makes it from its plan, a [`Conversion`](crate::recording::Conversion) from what the
+/// recording that it reads says of itself.
+#[derive(Debug, Clone)]
+pub struct Subject<'a> {
+    /// Name of the scene, or of the file that the samples come from.
+    pub name: String,
+    /// One line: what this is.
+    pub title: String,
+    /// Bodies, provenance, scene text.
+    pub heading: Heading,
+    /// How many samples, and when.
+    pub sampling: Sampling,
+    /// All that tells this recording from others, in words: those of equal identity hold the same samples.
+    pub identity: String,
+    /// What can be drawn: only where the scene is known. Without it a recording holds columns and words.
+    pub drawing: Option<(&'a Plan, &'a Picture)>,
+}
+
+impl<'a> Subject<'a> {
+    /// Of the run of `plan`, without a picture.
+    #[must_use]
+    pub fn of(plan: &Plan) -> Self {
+        let provenance: Vec<_> = facts::of_plan(plan).into_iter().collect();
+        let scene = (!plan.text.is_empty()).then(|| plan.text.clone());
+        let heading = Heading { bodies: bodies(plan, &provenance), provenance, scene };
+        Self {
+            name: plan.name.clone(),
+            title: plan.title.clone(),
+            heading,
+            sampling: Sampling::of(&plan.grid),
+            identity: plan.identity.clone(),
+            drawing: None,
+        }
+    }
+
+    /// Of the run of `plan`, drawn as `picture` says.
+    #[must_use]
+    pub fn drawn(plan: &'a Plan, picture: &'a Picture) -> Self {
+        Self { drawing: Some((plan, picture)), ..Self::of(plan) }
+    }
+}
+
+/// The plan's bodies, as far as recordings tell of them.
+pub fn bodies(plan: &Plan, provenance: &[(String, String)]) -> Vec<RecordedBody> {
+    let body = |body: &crate::scenario::PlannedBody| RecordedBody {
+        name: body.name.clone(),
+        channels: body.channels.clone(),
+        certificate: facts::certificate(provenance, &body.name),
+    };
+    plan.bodies.iter().map(body).collect()
+}
