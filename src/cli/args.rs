@@ -14,6 +14,9 @@ Examples:
   polhode plan lagrange_top                       which method, why, and what is skipped
   polhode bench dzhanibekov --plot costs.svg      what each method costs for how much accuracy
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
+  polhode convert run.mcap run.rrd run.csv        the same recording in other formats, to the bit
+  polhode recover recordings/run.mcap.part        a whole recording of what a killed run left
+  polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
 
 Exit codes: 0 done, 1 a check failed or a certified tolerance was missed, 2 could not (usage, input, file).";
 
@@ -38,6 +41,18 @@ pub(super) enum Command {
     Bench(BenchArguments),
     /// Show what is in a recording (.mcap, .rrd, .csv).
     Inspect(InspectArguments),
+    /// Write a recording anew in other formats, every channel to the bit.
+    ///
+    /// Where the recording carries its scene (.mcap and .rrd do), the new one has pictures, layout and log: it is what a run
+    /// to that format gives. Otherwise it has columns and words only.
+    Convert(ConvertArguments),
+    /// Make a whole recording of the .part that a killed run left, and say how many samples it kept.
+    Recover(RecoverArguments),
+    /// Open the Rerun viewer found on PATH on a recording or a scene.
+    ///
+    /// An .mcap, a .csv and a scene are first written as an .rrd to the system's folder for temporary files, where it stays
+    /// until the viewer is closed.
+    View(ViewArguments),
 }
 
 #[derive(Debug, Args)]
@@ -129,6 +144,51 @@ pub(super) struct InspectArguments {
     /// As JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ConvertArguments {
+    /// The recording: .mcap, .rrd or .csv.
+    #[arg(value_name = "IN")]
+    pub input: PathBuf,
+    /// What to write, the format by extension; beside an .mcap the layout to import.
+    #[arg(value_name = "OUT", required = true)]
+    pub outputs: Vec<PathBuf>,
+    /// The scene that the recording is of: a name or a TOML file, refused where its values are others than the recording's.
+    /// For a .csv, which carries none, and for a scene with mesh files.
+    #[arg(long, value_name = "SCENE")]
+    pub scene: Option<String>,
+    /// Any key of that scene, as it was set for the run.
+    #[arg(long, value_name = "KEY=VALUE", requires = "scene")]
+    pub set: Vec<String>,
+    /// Overwrite files that are there already.
+    #[arg(long)]
+    pub force: bool,
+    /// Results as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct RecoverArguments {
+    /// What a killed run left: NAME.mcap.part, NAME.rrd.part or NAME.csv.part. It is removed once the recording is whole.
+    pub file: PathBuf,
+    /// The recording to make; left out: the name without .part. In another format it leaves the .part as it is.
+    #[arg(long, short, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+    /// Overwrite a recording that is there already.
+    #[arg(long)]
+    pub force: bool,
+    /// Results as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ViewArguments {
+    /// A recording, or the name of a scene, or a TOML file.
+    #[arg(value_name = "FILE|SCENE")]
+    pub what: String,
 }
 
 /// Keys of the scene to change for this run.

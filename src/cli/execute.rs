@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use super::args::Command;
 use super::output::remark;
-use super::{Arguments, bench, inspect, list, plan, run};
+use super::{Arguments, bench, convert, inspect, list, plan, recover, run, view};
 use crate::scenario::{Scenario, ScenarioError};
 
 /// How a command ended.
@@ -27,6 +27,9 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::Plan(arguments) => plan::execute(&arguments),
         Command::Bench(arguments) => bench::execute(&arguments),
         Command::Inspect(arguments) => inspect::execute(&arguments),
+        Command::Convert(arguments) => convert::execute(&arguments),
+        Command::Recover(arguments) => recover::execute(&arguments),
+        Command::View(arguments) => view::execute(&arguments),
     };
     let outcome = outcome.unwrap_or_else(|error: io::Error| {
         remark(&format!("error: cannot write to standard output: {error}"));

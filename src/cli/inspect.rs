@@ -11,7 +11,7 @@ use crate::recording::{Contents, Entry, Range, Survey, contents};
 /// Shows what is in a recording.
 pub fn execute(arguments: &InspectArguments) -> io::Result<Outcome> {
     match contents(&arguments.file) {
-        Ok(contents) if arguments.json => print_json(&as_json(&contents))?,
+        Ok(contents) if arguments.json => print_json(&as_json(&arguments.file.display().to_string(), &contents))?,
         Ok(contents) => print(&as_text(&arguments.file.display().to_string(), &contents))?,
         Err(error) => {
             remark(&format!("error: {error}"));
@@ -67,7 +67,7 @@ fn ranges(survey: &Survey) -> String {
     table.render("  ")
 }
 
-fn as_json(contents: &Contents) -> Value {
+fn as_json(file: &str, contents: &Contents) -> Value {
     let details: Vec<_> =
         contents.details.iter().map(|(name, value)| json!({ "name": name, "value": value })).collect();
     let entry = |entry: &Entry| {
@@ -81,7 +81,14 @@ fn as_json(contents: &Contents) -> Value {
     };
     let entries: Vec<_> = contents.entries.iter().map(entry).collect();
     let survey = contents.survey.as_ref().map(survey_as_json);
-    json!({ "format": contents.format, "details": details, "entries": entries, "recording": survey })
+    json!({
+        "file": file,
+        "format": contents.format,
+        "is_whole": contents.is_whole,
+        "details": details,
+        "entries": entries,
+        "recording": survey,
+    })
 }
 
 fn survey_as_json(survey: &Survey) -> Value {
@@ -107,6 +114,8 @@ fn survey_as_json(survey: &Survey) -> Value {
         "samples": survey.samples,
         "from_s": survey.from_s,
         "to_s": survey.to_s,
+        "interval_s": survey.interval_s,
+        "scene": survey.heading.scene,
         "provenance": facts(&survey.heading.provenance),
         "bodies": bodies.collect::<Vec<_>>(),
     })

@@ -4,6 +4,7 @@
 
 mod args;
 mod bench;
+mod convert;
 mod execute;
 mod inspect;
 mod layout;
@@ -11,9 +12,11 @@ mod list;
 mod output;
 mod plan;
 mod progress;
+mod recover;
 mod report;
 mod run;
 mod table;
+mod view;
 
 pub use args::Arguments;
 pub use execute::execute;

@@ -53,10 +53,9 @@ impl Report {
             }
         }
         table.row(["samples".to_owned(), sampling(&self.plan.grid)]);
-        let width = self.files.iter().map(|file| shown(&file.path).chars().count()).max().unwrap_or(0);
-        for (index, file) in self.files.iter().enumerate() {
+        for (index, line) in files_as_text(&self.files).lines().enumerate() {
             let label = if index == 0 { "files" } else { "" };
-            table.row([label.to_owned(), format!("{:width$}  {}", shown(&file.path), size(file.bytes))]);
+            table.row([label, line.trim_start()]);
         }
         table.row(["wall time".to_owned(), self.time()]);
         let text = format!("{}: {}\n{}", self.plan.name, self.plan.title, table.render("  "));
@@ -107,8 +106,6 @@ impl Report {
                 })
             })
             .collect();
-        let files: Vec<_> =
-            self.files.iter().map(|file| json!({ "path": shown(&file.path), "bytes": file.bytes })).collect();
         let check = |check: &CheckOutcome| {
             json!({
                 "name": check.name,
@@ -125,7 +122,7 @@ impl Report {
             "bodies": bodies,
             "samples": plan.grid.len(),
             "end_s": plan.grid.end(),
-            "files": files,
+            "files": files_as_json(&self.files),
             "wall_s": self.wall.as_secs_f64(),
             "evaluations": self.effort.evaluations,
             "steps": self.effort.steps,
@@ -135,6 +132,19 @@ impl Report {
             "passed": self.passed(),
         })
     }
+}
+
+/// A line for each file, with its size.
+pub fn files_as_text(files: &[Finished]) -> String {
+    let mut table = Table::default();
+    for file in files {
+        table.row([shown(&file.path), size(file.bytes)]);
+    }
+    table.render("  ")
+}
+
+pub fn files_as_json(files: &[Finished]) -> Vec<Value> {
+    files.iter().map(|file| json!({ "path": shown(&file.path), "bytes": file.bytes })).collect()
 }
 
 /// The errors, where they are worst, and by what they were measured.

@@ -8,6 +8,8 @@ use super::{Range, Recording, RecordingError, Survey, mcap_file, rerun_file};
 pub struct Contents {
     /// `mcap`, `rrd` or `csv`.
     pub format: &'static str,
+    /// Whether its end is there.
+    pub is_whole: bool,
     /// Facts about the whole, as name and value.
     pub details: Vec<(String, String)>,
     /// Topics, entities or columns.
@@ -77,8 +79,9 @@ fn of_columns(survey: Survey) -> Contents {
         _ => range.name(),
     };
     let names = std::iter::once("time_s".to_owned()).chain(survey.ranges.iter().map(name));
+    let is_whole = survey.is_whole;
     let (count, from_s, to_s) = (survey.samples, survey.from_s, survey.to_s);
     let entries: Vec<_> = names.map(|name| Entry { name, kind: "column".into(), count, from_s, to_s }).collect();
     let details = vec![("rows".into(), count.to_string()), ("columns".into(), entries.len().to_string())];
-    Contents { format: "csv", details, entries, survey: Some(survey) }
+    Contents { format: "csv", is_whole, details, entries, survey: Some(survey) }
 }

@@ -57,6 +57,20 @@ pub enum RecordingError {
     /// The motion cannot be looked over to choose scales and camera.
     #[error("cannot look the motion over: {0}")]
     Preview(#[from] PropagationError),
+    /// A part file in which there is nothing to recover.
+    #[error("{path} holds no whole sample: there is nothing to recover", path = path.display())]
+    NothingKept {
+        /// Which file.
+        path: PathBuf,
+    },
+    /// A scene that is not the one of the recording.
+    #[error("{path} is no recording of that scene: {reason}", path = path.display())]
+    OtherScene {
+        /// Which recording.
+        path: PathBuf,
+        /// In what they differ.
+        reason: String,
+    },
     /// Something the format cannot hold.
     #[error("{path}: {rule}", path = path.display())]
     NotRepresentable {

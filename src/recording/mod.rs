@@ -2,7 +2,8 @@
 //!
 //! A [`Recorder`] gives each file its [`Sink`] by the file's extension; a [`PartFile`] gets its name only when all the
 //! run's files are complete. [`contents`] tells what is in a recording, finished or not;
-//! a [`Recording`] reads its columns back.
+//! a [`Recording`] reads its columns back, a [`Conversion`] writes them anew, [`recover`] makes a whole recording of what
+//! a killed run left.
 
 pub mod csv_file;
 pub mod mcap_file;
@@ -10,6 +11,7 @@ pub mod picture;
 pub mod rerun_file;
 
 mod contents;
+mod conversion;
 mod error;
 mod format;
 mod part_file;
@@ -20,6 +22,7 @@ mod subject;
 mod survey;
 
 pub use contents::{Contents, Entry, contents};
+pub use conversion::{Conversion, Recovered, recover};
 pub use error::RecordingError;
 pub use part_file::PartFile;
 pub use recorded::{Heading, RecordedBody, Recording};

@@ -42,10 +42,22 @@ impl PartFile {
     /// If `path` exists, or the part file of a killed run, and `overwrite` is not set; if another run is writing to
     /// it; if the operating system refuses.
     pub fn create(path: &Path, overwrite: bool) -> Result<Self, RecordingError> {
+        Self::create_as(path, part_path(path), overwrite)
+    }
+
+    /// The same with `NAME.word.mcap.part` for a part file: `NAME.mcap.part` may be what is being read.
+    ///
+    /// # Errors
+    /// As [`Self::create`].
+    pub fn create_apart(path: &Path, word: &str, overwrite: bool) -> Result<Self, RecordingError> {
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        Self::create_as(path, part_path(&path.with_extension(format!("{word}.{extension}"))), overwrite)
+    }
+
+    fn create_as(path: &Path, part: PathBuf, overwrite: bool) -> Result<Self, RecordingError> {
         if !overwrite && exists(path)? {
             return Err(RecordingError::Exists { path: path.into() });
         }
-        let part = part_path(path);
         clear_the_way(&part, overwrite)?;
         let created = OpenOptions::new().write(true).create_new(true).open(&part);
         let file = created.map_err(|source| io_error("create", &part, source))?;
@@ -233,6 +245,18 @@ fn is_at(file: &File, part: &Path) -> bool {
 #[cfg(not(unix))]
 fn is_at(_: &File, _: &Path) -> bool {
     true
+}
+
+/// Opens a part file that nobody is writing, and keeps others from writing it until it is closed.
+pub(super) fn hold(part: &Path) -> Result<File, RecordingError> {
+    let file = File::open(part).map_err(|source| io_error("open", part, source))?;
+    match file.try_lock_shared() {
+        Err(TryLockError::WouldBlock) => Err(being_written(part)),
+        Err(TryLockError::Error(source)) if source.kind() != ErrorKind::Unsupported => {
+            Err(io_error("lock", part, source))
+        }
+        _ => Ok(file),
+    }
 }
 
 fn being_written(part: &Path) -> RecordingError {

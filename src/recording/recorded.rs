@@ -145,6 +145,21 @@ impl Recording {
 }
 
 impl Heading {
+    /// Most bodies: as many as an `.mcap` has topics.
+    pub(super) const MOST_BODIES: usize = 65_535;
+
+    /// What it says of itself under `name`.
+    #[must_use]
+    pub fn fact(&self, name: &str) -> Option<&str> {
+        self.provenance.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str())
+    }
+
+    /// How many samples there were to be, if it tells.
+    #[must_use]
+    pub fn planned_samples(&self) -> Option<u64> {
+        self.fact("samples")?.parse().ok()
+    }
+
     /// Empty buffers for every body.
     pub(super) fn samples(&self) -> Samples {
         let bodies = self.bodies.iter().map(|body| BodySamples::new(&body.channels)).collect();

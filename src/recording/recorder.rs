@@ -35,7 +35,7 @@ impl Recorder {
     pub fn create(plan: &Plan, paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Self, RecordingError> {
         let files = files(paths, overwrite)?;
         // Scales and camera cost a preview of the run.
-        let picture = draws(&files)?.then(|| Picture::of(plan)).transpose()?;
+        let picture = draws(&files).then(|| Picture::of(plan)).transpose()?;
         let subject = picture.as_ref().map_or_else(|| Subject::of(plan), |picture| Subject::drawn(plan, picture));
         Self::begin(&subject, files)
     }
@@ -85,9 +85,8 @@ pub(super) fn files(paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Vec<P
 }
 
 /// Whether one of the files will hold pictures.
-pub(super) fn draws(files: &[PartFile]) -> Result<bool, RecordingError> {
-    let formats = files.iter().map(|file| Format::of(file.path())).collect::<Result<Vec<_>, _>>()?;
-    Ok(formats.iter().any(|format| *format != Format::Csv))
+pub(super) fn draws(files: &[PartFile]) -> bool {
+    files.iter().any(|file| !matches!(Format::of(file.path()), Ok(Format::Csv)))
 }
 
 fn publish(file: PartFile) -> Result<Finished, RecordingError> {

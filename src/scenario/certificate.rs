@@ -49,6 +49,26 @@ impl Certificate {
         figures.chain(rest).collect()
     }
 
+    /// What facts that a recording carries say: the figures as far as they were written down. `None` if one is missing.
+    #[must_use]
+    pub fn from_facts(facts: &[(String, String)]) -> Option<Self> {
+        let fact = |name: &str| facts.iter().find(|(known, _)| known == name).map(|(_, value)| value.as_str());
+        let number = |name: &str| fact(name)?.parse().ok();
+        Some(Self {
+            attitude_rad: number("attitude_error_rad"),
+            angular_velocity_relative: number("angular_velocity_error_relative")?,
+            angular_momentum_relative: number("angular_momentum_error_relative"),
+            position_m: number("position_error_m"),
+            worst_at_s: number("worst_at_s")?,
+            covered_to_s: number("covered_to_s")?,
+            is_whole: fact("covers_the_whole_run")?.parse().ok()?,
+            samples: fact("samples_compared")?.parse().ok()?,
+            method: fact("method")?.to_owned(),
+            reference: fact("reference")?.to_owned(),
+            reference_uncertainty: number("reference_uncertainty")?,
+        })
+    }
+
     /// Whether the attitude keeps a tolerance in rad, over the whole run: what was not compared does not keep it.
     #[must_use]
     pub fn keeps(&self, tolerance_rad: f64) -> bool {

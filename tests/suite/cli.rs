@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-const SCENE: &str = "
+pub const SCENE: &str = "
 title = \"A spin that stays\"
 duration_s = 1.0
 sample_every_s = 0.1
@@ -24,20 +24,20 @@ expected = EXPECTED
 tolerance = 1e-12
 ";
 
-fn polhode(folder: &Path, arguments: &[&str]) -> Output {
+pub fn polhode(folder: &Path, arguments: &[&str]) -> Output {
     let program = env!("CARGO_BIN_EXE_polhode");
     Command::new(program).current_dir(folder).args(arguments).output().expect("the program starts")
 }
 
-fn stdout(output: &Output) -> String {
+pub fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).expect("output is UTF-8")
 }
 
-fn stderr(output: &Output) -> String {
+pub fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("output is UTF-8")
 }
 
-fn folder_with(scene: &str) -> tempfile::TempDir {
+pub fn folder_with(scene: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("scene.toml"), scene).expect("the scene is written");
     folder

@@ -5,7 +5,11 @@ mod bad_scenes;
 mod certificates;
 #[cfg(feature = "cli")]
 mod cli;
+#[cfg(feature = "cli")]
+mod cli_files;
 mod closed_torques;
+#[cfg(feature = "serde")]
+mod convert;
 mod csv_format;
 mod effort;
 mod equivalence;
@@ -14,6 +18,7 @@ mod fixed_step;
 mod floors;
 mod forced_oracle;
 mod free_laws;
+mod hostile;
 mod lagrange_top;
 #[cfg(feature = "mcap")]
 mod mcap_format;
@@ -27,6 +32,8 @@ mod particles;
 mod planned;
 mod precise;
 mod promises;
+#[cfg(feature = "serde")]
+mod recover;
 mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;

@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use crate::recording::{Heading, RecordedBody};
 use crate::telemetry::Channel;
 
@@ -31,7 +33,7 @@ pub(super) fn heading(line: &str) -> Result<Heading, String> {
     if let Some((_, first)) = names.next().filter(|(_, first)| *first != TIME) {
         return Err(format!("the first column is {first:?}, not {TIME:?}"));
     }
-    let mut bodies: Vec<RecordedBody> = Vec::new();
+    let (mut bodies, mut known): (Vec<RecordedBody>, BTreeSet<&str>) = Default::default();
     while let Some((number, name)) = names.next() {
         let (body, column) = name.split_once('.').unwrap_or((SINGLE, name));
         let channel = first_column_of(column).ok_or_else(|| format!("column {number}, {name:?}, begins no channel"))?;
@@ -43,7 +45,10 @@ pub(super) fn heading(line: &str) -> Result<Heading, String> {
         }
         let is_next = bodies.last().is_some_and(|last| last.name == body);
         if !is_next {
-            if bodies.iter().any(|known| known.name == body) {
+            if bodies.len() == Heading::MOST_BODIES {
+                return Err(format!("column {number}, {name:?}: more than {} bodies", Heading::MOST_BODIES));
+            }
+            if !known.insert(body) {
                 return Err(format!("column {number}, {name:?}: the columns of a body stand side by side"));
             }
             bodies.push(RecordedBody { name: body.into(), ..RecordedBody::default() });

@@ -8,5 +8,6 @@ mod told;
 pub use sampling::Sampling;
 pub use told::Subject;
 
-pub(super) use facts::certificate;
+pub(super) use digest::sha256;
+pub(super) use facts::{certificate, conventions, of_plan};
 pub(super) use told::bodies;

@@ -50,7 +50,7 @@ impl Tally {
         details.extend(self.attachments);
         let mut entries: Vec<Entry> = self.topics.into_values().map(Topic::into_entry).collect();
         entries.sort_by(|a, b| a.name.cmp(&b.name));
-        Contents { format: "mcap", details, entries, survey: None }
+        Contents { format: "mcap", is_whole: self.is_complete, details, entries, survey: None }
     }
 }
 

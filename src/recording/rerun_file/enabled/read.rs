@@ -36,6 +36,7 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
     }
     Ok(Contents {
         format: "rrd",
+        is_whole: messages.end() == End::Whole,
         details,
         entries: survey.entities.into_iter().map(Entity::entry).collect(),
         survey: None,

@@ -122,6 +122,9 @@ impl Intake {
         if self.has_begun {
             return Err(format!("the body {name} begins after the first sample"));
         }
+        if self.heading.bodies.len() == Heading::MOST_BODIES {
+            return Err(format!("more than {} bodies", Heading::MOST_BODIES));
+        }
         if self.heading.bodies.iter().any(|body| body.name == name) {
             return Err(format!("two bodies are called {name}"));
         }

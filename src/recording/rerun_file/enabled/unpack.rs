@@ -10,6 +10,8 @@ use re_protos::log_msg::v1alpha1::log_msg::Msg;
 
 /// The most that a compressed chunk may claim to unpack to: the claim is allocated before it is tested.
 const LARGEST: u64 = 1 << 30;
+/// The most that one byte of LZ4 unpacks to: a byte of length stands for 255.
+const MOST_OF_A_BYTE: u64 = 255;
 
 /// What a message of a file means, the file not being trusted.
 ///
@@ -46,7 +48,7 @@ pub(super) fn guarded<T>(read: impl FnOnce() -> Result<T, String>) -> Result<T, 
 fn unpack(mut chunk: ArrowMsg) -> Result<ArrowMsg, String> {
     if Compression::from(chunk.compression()) == Compression::LZ4 {
         let size = chunk.uncompressed_size;
-        if size > LARGEST {
+        if size > LARGEST || size > MOST_OF_A_BYTE * chunk.payload.len() as u64 {
             return Err(format!("a chunk that claims {size} bytes"));
         }
         let size = usize::try_from(size).map_err(|error| error.to_string())?;

@@ -1,0 +1,18 @@
+use std::path::{Component, Path};
+
+use crate::scenario::{Plan, Scenario};
+
+/// The plan of the scene in `text`, whose mesh files are in `folder` or below. Recordings are not trusted: one that names
+/// files elsewhere is refused.
+pub fn plan(text: &str, name: &str, folder: &Path) -> Result<Plan, String> {
+    let scenario = Scenario::parse(text, &format!("{name}.toml"), &[]).map_err(|error| error.to_string())?;
+    let is_below = |file: &Path| file.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+    for mesh in scenario.body.iter().filter_map(|body| body.mesh.as_ref()) {
+        if !is_below(mesh.file.as_ref()) {
+            let file = Path::new(&mesh.file).display();
+            return Err(format!("its mesh {file} is not beside the recording: --scene names a scene with its files"));
+        }
+    }
+    let scenario = Scenario { name: name.into(), folder: folder.into(), ..scenario };
+    Plan::new(&scenario).map_err(|error| error.to_string())
+}
