@@ -29,7 +29,7 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::Inspect(arguments) => inspect::execute(&arguments),
         Command::Convert(arguments) => convert::execute(&arguments),
         Command::Recover(arguments) => recover::execute(&arguments),
-        Command::View(arguments) => view::execute(&arguments),
+        Command::View(arguments) => Ok(view::execute(&arguments)),
     };
     let outcome = outcome.unwrap_or_else(|error: io::Error| {
         remark(&format!("error: cannot write to standard output: {error}"));

@@ -33,11 +33,11 @@ fn as_text(part: &Path, recovered: &Recovered) -> String {
     let planned = recovered.planned.map(|planned| format!(" of {}", grouped(planned))).unwrap_or_default();
     let (kept, end) = (grouped(survey.samples), survey.to_s.unwrap_or(0.0));
     let files = files_as_text(std::slice::from_ref(&recovered.file));
-    let mut text = format!("{}: {kept}{planned} samples kept, to {end} s\n{files}", part.display());
-    if let Some(part) = &recovered.part {
-        text += &format!("  {} is kept: another format does not hold all of it\n", part.display());
+    let text = format!("{}: {kept}{planned} samples kept, to {end} s\n{files}", part.display());
+    match &recovered.part {
+        Some(part) => format!("{text}  {} is kept: another format does not hold all of it\n", part.display()),
+        None => text,
     }
-    text
 }
 
 fn as_json(part: &Path, recovered: &Recovered) -> serde_json::Value {

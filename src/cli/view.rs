@@ -38,14 +38,14 @@ enum ViewError {
 }
 
 /// Opens the Rerun viewer on a recording or a scene, and waits until it is closed.
-pub fn execute(arguments: &ViewArguments) -> io::Result<Outcome> {
-    Ok(match view(&arguments.what) {
+pub fn execute(arguments: &ViewArguments) -> Outcome {
+    match view(&arguments.what) {
         Ok(()) => Outcome::Done,
         Err(error) => {
             remark(&format!("error: {error}"));
             Outcome::Impossible
         }
-    })
+    }
 }
 
 fn view(what: &str) -> Result<(), ViewError> {

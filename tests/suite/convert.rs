@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use polhode::recording::{Conversion, Recorder, Recording, RecordingError};
 use polhode::scenario::{Certificate, Plan, Scenario};
+use polhode::telemetry::BodySamples;
 use tempfile::tempdir;
 
 /// Two bodies, one with a pulse, more than one batch.
@@ -70,7 +71,7 @@ fn columns(path: &Path) -> Vec<Vec<u64>> {
     let mut recording = Recording::open(path).expect("whole");
     let mut all: Vec<Vec<u64>> = Vec::new();
     while let Some(samples) = recording.next_batch().expect("whole") {
-        let columns = samples.bodies.iter().flat_map(|body| body.columns());
+        let columns = samples.bodies.iter().flat_map(BodySamples::columns);
         for (index, column) in std::iter::once(&samples.times_s).chain(columns).enumerate() {
             if all.len() == index {
                 all.push(Vec::new());

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use polhode::recording::{PartFile, Recorder, Recording, RecordingError, contents, recover};
 use polhode::scenario::{Plan, Scenario};
+use polhode::telemetry::BodySamples;
 use tempfile::tempdir;
 
 /// A pulse that begins at 2 s and ends at 8 s, in the second batch of samples.
@@ -42,13 +43,11 @@ fn run(plan: &Plan, folder: &Path, batches: usize) -> Vec<PathBuf> {
     let mut recorder = Recorder::create(plan, &paths, false).expect("free names");
     let mut run = plan.start().expect("a motion");
     for _ in 0..batches {
-        match run.next_batch().expect("finite states") {
-            Some(samples) => recorder.write(samples).expect("room"),
-            None => {
-                recorder.finish().expect("room");
-                return paths;
-            }
-        }
+        let Some(samples) = run.next_batch().expect("finite states") else {
+            recorder.finish().expect("room");
+            return paths;
+        };
+        recorder.write(samples).expect("room");
     }
     paths
 }
@@ -63,7 +62,7 @@ fn rows(path: &Path) -> Vec<Vec<u64>> {
     let mut rows = Vec::new();
     while let Some(samples) = recording.next_batch().expect("sound") {
         for index in 0..samples.len() {
-            let columns = samples.bodies.iter().flat_map(|body| body.columns());
+            let columns = samples.bodies.iter().flat_map(BodySamples::columns);
             let columns = std::iter::once(&samples.times_s).chain(columns);
             rows.push(columns.map(|column| column[index].to_bits()).collect());
         }

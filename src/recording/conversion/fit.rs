@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use super::shorten::shortened;
-use crate::recording::{Heading, Recording, Sampling, Survey, subject};
+use crate::recording::{Heading, Range, Recording, Sampling, Survey, subject};
 use crate::scenario::{Certificate, Plan, PlannedBody};
 use crate::telemetry::{BodySamples, Channel};
 
@@ -30,7 +30,7 @@ pub fn fitted(mut plan: Plan, survey: &Survey, is_cut_off: bool) -> Result<Plan,
     }
     check_times(Sampling::of(&plan.grid), survey.sampling())?;
     if let Some(version) = survey.heading.fact(VERSION).filter(|version| *version != env!("CARGO_PKG_VERSION")) {
-        plan.summary += &format!("\n\nComputed by polhode {version}.");
+        plan.summary = format!("{}\n\nComputed by polhode {version}.", plan.summary);
     }
     Ok(plan)
 }
@@ -51,7 +51,7 @@ pub fn check_values(plan: &Plan, survey: &Survey, path: &Path) -> Result<(), Str
         for channel in &body.channels {
             let columns = |samples: &BodySamples| samples.channel(*channel).unwrap_or_default().to_vec();
             for (expected, recorded) in columns(&expected).iter().zip(&columns(recorded)) {
-                let largest = ranges.next().map_or(0.0, |range| range.largest());
+                let largest = ranges.next().map_or(0.0, Range::largest);
                 check_column(body, *channel, largest, &looks.times_s, (expected, recorded))?;
             }
         }

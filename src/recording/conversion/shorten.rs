@@ -10,8 +10,8 @@ pub fn shortened(mut plan: Plan, kept: u64) -> Plan {
     let end = plan.grid.end();
     plan.events.retain(|event| event.time_s <= end);
     let what = what_was_kept(kept, Some(planned), end);
-    plan.identity += &format!("\n{what}");
-    plan.summary += &format!("\n\nRecovered from a run that was cut off: {what}.");
+    plan.identity = format!("{}\n{what}", plan.identity);
+    plan.summary = format!("{}\n\nRecovered from a run that was cut off: {what}.", plan.summary);
     plan
 }
 

@@ -41,18 +41,21 @@ pub(super) fn write<W: Write>(stream: &mut Stream<W>, store: Store, subject: &Su
 
 fn document(subject: &Subject) -> TextDocument {
     let mut text = format!("### {}\n\nColumns without pictures: the scene is not known here.\n", subject.title);
-    text += "\n#### Bodies\n\n| body | channels |\n|---|---|\n";
+    text += "\n#### Bodies\n\n";
     for body in &subject.heading.bodies {
         let channels: Vec<_> = body.channels.iter().map(|channel| channel.row().title).collect();
-        let _ = writeln!(text, "| {} | {} |", body.name, channels.join("; "));
+        let _ = writeln!(text, "- **{}**: {}", body.name, channels.join("; "));
     }
-    text += "\n#### Provenance\n\n| | |\n|---|---|\n";
+    text += "\n#### Provenance\n\n";
     for (name, value) in &subject.heading.provenance {
-        let _ = writeln!(text, "| {} | {} |", cell(name), cell(value));
+        let _ = writeln!(text, "- **{}**: {}", plain(name), plain(value));
     }
     TextDocument::from_markdown(text)
 }
 
-fn cell(text: &str) -> String {
-    text.replace('|', "∣").replace(['\n', '\r'], " ")
+/// On one line, as it is: nothing in it is a mark of the language that the panel is written in.
+fn plain(text: &str) -> String {
+    let is_mark = |letter: char| letter.is_ascii_punctuation() && !"-.,:;/()".contains(letter);
+    let words = text.replace(['\n', '\r'], " ");
+    words.chars().flat_map(|letter| is_mark(letter).then_some('\\').into_iter().chain([letter])).collect()
 }
