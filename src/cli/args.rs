@@ -12,6 +12,7 @@ Examples:
   polhode run my_scene.toml --set 'body.0.angular_velocity_rad_s=[0, 6, 0.1]'
   polhode run lagrange_top --certify              with its measured error, printed and recorded
   polhode plan lagrange_top                       which method, why, and what is skipped
+  polhode run dzhanibekov --live                  into a Rerun viewer that is open
   polhode bench dzhanibekov --plot costs.svg      what each method costs for how much accuracy
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
   polhode convert run.mcap run.rrd run.csv        the same recording in other formats, to the bit
@@ -74,9 +75,18 @@ pub(super) struct RunArguments {
     /// The folder that recordings go to; made if it is not there.
     #[arg(long, value_name = "FOLDER", default_value = "recordings")]
     pub out: PathBuf,
-    /// What to write.
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "mcap,rrd")]
+    /// What to write: mcap,rrd where neither this nor `--live` is given.
+    #[arg(long, value_enum, value_delimiter = ',')]
     pub format: Vec<FileFormat>,
+    /// Show the run in an open Rerun viewer, as it goes; files only where `--format` asks for them.
+    #[arg(
+        long,
+        value_name = "ADDRESS",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "rerun+http://127.0.0.1:9876/proxy"
+    )]
+    pub live: Option<String>,
     /// Measure the error of each body's motion against one in double-double, print and record it; a tolerance that is
     /// missed, or cannot be certified over the whole run, exits with 1.
     #[arg(long)]
@@ -216,6 +226,14 @@ pub(super) struct Overrides {
     /// Any key of the scene, such as `body.0.angular_velocity_rad_s=[0, 5, 0.01]`.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+}
+
+impl RunArguments {
+    /// The formats to write.
+    pub fn formats(&self) -> &[FileFormat] {
+        let is_left_out = self.format.is_empty() && self.live.is_none();
+        if is_left_out { &[FileFormat::Mcap, FileFormat::Rrd] } else { &self.format }
+    }
 }
 
 impl Overrides {

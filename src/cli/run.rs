@@ -13,7 +13,9 @@ use super::output::{print, print_json, remark};
 use super::progress::Progress;
 use super::report::Report;
 use crate::propagation::PropagationError;
-use crate::recording::{PartFile, Recorder, RecordingError};
+use crate::recording::live::LiveViewer;
+use crate::recording::picture::Picture;
+use crate::recording::{PartFile, Recorder, RecordingError, Subject};
 use crate::scenario::{Plan, ScenarioError, library};
 use crate::study::certify;
 
@@ -106,16 +108,19 @@ fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Resu
     let started = Instant::now();
     let bar = progress.bar(&plan.name, plan.grid.len());
     let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));
-    let paths: Vec<PathBuf> = arguments.format.iter().map(path).collect();
+    let paths: Vec<PathBuf> = arguments.formats().iter().map(path).collect();
+    let mut live = live_viewer(&plan, arguments)?;
     let mut recorder = Recorder::create(&plan, &paths, arguments.force)?;
     let layout = layout_file(&plan, arguments)?;
     let mut run = plan.start()?;
     while let Some(samples) = run.next_batch()? {
         recorder.write(samples)?;
+        live.as_mut().map_or(Ok(()), |viewer| viewer.write(samples))?;
         bar.inc(samples.len() as u64);
     }
     let effort = run.effort();
     let files = recorder.finish()?;
+    live.map_or(Ok(()), LiveViewer::finish)?;
     if let Some(file) = layout {
         layout::write(&plan, file)?;
     }
@@ -126,9 +131,15 @@ fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Resu
     Ok(Report { plan, files, effort, wall, checks })
 }
 
+/// The viewer that looks on, if one was asked for.
+fn live_viewer(plan: &Plan, arguments: &RunArguments) -> Result<Option<LiveViewer>, RecordingError> {
+    let Some(address) = &arguments.live else { return Ok(None) };
+    LiveViewer::connect(&Subject::drawn(plan, &Picture::of(plan)?), address).map(Some)
+}
+
 /// The layout beside an `.mcap`, made before the run so that a name that is taken is refused before it too.
 fn layout_file(plan: &Plan, arguments: &RunArguments) -> Result<Option<PartFile>, RecordingError> {
-    if !arguments.format.contains(&FileFormat::Mcap) {
+    if !arguments.formats().contains(&FileFormat::Mcap) {
         return Ok(None);
     }
     PartFile::create(&arguments.out.join(format!("{}.layout.json", plan.name)), arguments.force).map(Some)

@@ -54,6 +54,14 @@ pub enum RecordingError {
         /// The feature that brings it.
         feature: &'static str,
     },
+    /// A viewer that is not there, or not any more.
+    #[error("cannot show the run in the viewer at {address}: {source}; `rerun` opens one")]
+    NoViewer {
+        /// Where it was expected.
+        address: String,
+        /// Why not.
+        source: std::io::Error,
+    },
     /// The motion cannot be looked over to choose scales and camera.
     #[error("cannot look the motion over: {0}")]
     Preview(#[from] PropagationError),

@@ -139,6 +139,17 @@ fn bad_scenes_and_usage_exit_with_two() {
 }
 
 #[test]
+fn a_viewer_that_is_not_there_is_said_before_the_run_and_nothing_is_written() {
+    let folder = folder_with(SCENE);
+    // Nothing listens on the port of tcpmux.
+    let output = polhode(folder.path(), &["run", "scene.toml", "--live=rerun+http://127.0.0.1:1/proxy"]);
+    assert_eq!(output.status.code(), Some(2));
+    let expected = if cfg!(feature = "live") { "cannot show the run in the viewer at" } else { "cargo feature `live`" };
+    assert!(stderr(&output).contains(expected), "{}", stderr(&output));
+    assert!(!folder.path().join("recordings/scene.mcap").exists());
+}
+
+#[test]
 fn plan_names_path_reason_and_what_is_skipped() {
     let folder = folder_with(SCENE);
     let output = polhode(folder.path(), &["plan", "scene.toml", "--channels", "angular_velocity"]);

@@ -15,5 +15,7 @@ pub use enabled::{RerunFile, contents};
 
 #[cfg(not(feature = "rerun"))]
 pub(super) use disabled::open;
+#[cfg(feature = "live")]
+pub(super) use enabled::RerunStream;
 #[cfg(feature = "rerun")]
 pub(super) use enabled::open;

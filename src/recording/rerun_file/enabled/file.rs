@@ -1,3 +1,6 @@
+use std::io::Write;
+use std::path::PathBuf;
+
 use super::columns::{sim_time, timelines};
 use super::moving::Moving;
 use super::plots::Plots;
@@ -7,9 +10,12 @@ use crate::recording::{PartFile, RecordingError, Sink, Subject};
 use crate::scenario::{Plan, nanoseconds};
 use crate::telemetry::Samples;
 
+/// An `.rrd` being written to a file.
+pub struct RerunFile(RerunStream<PartFile>);
+
 /// An `.rrd` being written: layout and constants at once, columns batch by batch, the footer at the end.
-pub struct RerunFile {
-    stream: Stream<PartFile>,
+pub(in crate::recording) struct RerunStream<W> {
+    stream: Stream<W>,
     store: Store,
     plots: Plots,
     moving: Option<Moving>,
@@ -22,7 +28,17 @@ impl RerunFile {
     /// If the file cannot be written.
     pub fn create(subject: &Subject, file: PartFile) -> Result<Self, RecordingError> {
         let path = file.path().to_path_buf();
-        let mut stream = Stream::begin(file, path)?;
+        RerunStream::begin(subject, file, path).map(Self)
+    }
+}
+
+impl<W: Write> RerunStream<W> {
+    /// Writes what comes before the first sample; `path` is what messages name.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn begin(subject: &Subject, writer: W, path: PathBuf) -> Result<Self, RecordingError> {
+        let mut stream = Stream::begin(writer, path)?;
         let recording = identity::recording(subject).map_err(|reason| stream.refused(reason))?;
         let blueprint = identity::blueprint(subject).map_err(|reason| stream.refused(reason))?;
         let store = stream.open(recording)?;
@@ -45,10 +61,12 @@ impl RerunFile {
         let moving = subject.drawing.map(|(plan, picture)| Moving::new(plan, picture));
         Ok(Self { stream, store, plots, moving })
     }
-}
 
-impl Sink for RerunFile {
-    fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
+    /// Writes one batch.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
         if samples.is_empty() {
             return Ok(());
         }
@@ -61,14 +79,20 @@ impl Sink for RerunFile {
             None => Ok(()),
         }
     }
+}
+
+impl Sink for RerunFile {
+    fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
+        self.0.write(samples)
+    }
 
     fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
-        self.stream.end()
+        self.0.stream.end()
     }
 }
 
 /// Logs what happens to the bodies, in one chunk.
-fn write_events<W: std::io::Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Result<(), RecordingError> {
+fn write_events<W: Write>(stream: &mut Stream<W>, store: Store, plan: &Plan) -> Result<(), RecordingError> {
     if plan.events.is_empty() {
         return Ok(());
     }

@@ -34,5 +34,7 @@ mod unpack;
 mod words;
 
 pub use file::RerunFile;
+#[cfg(feature = "live")]
+pub(in crate::recording) use file::RerunStream;
 pub use read::contents;
 pub(in crate::recording) use source::open;
