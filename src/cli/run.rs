@@ -110,8 +110,8 @@ fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Resu
     let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));
     let paths: Vec<PathBuf> = arguments.formats().iter().map(path).collect();
     let mut live = live_viewer(&plan, arguments)?;
-    let mut recorder = Recorder::create(&plan, &paths, arguments.force)?;
     let layout = layout_file(&plan, arguments)?;
+    let mut recorder = Recorder::create(&plan, &paths, arguments.force)?;
     let mut run = plan.start()?;
     while let Some(samples) = run.next_batch()? {
         recorder.write(samples)?;
@@ -137,7 +137,7 @@ fn live_viewer(plan: &Plan, arguments: &RunArguments) -> Result<Option<LiveViewe
     LiveViewer::connect(&Subject::drawn(plan, &Picture::of(plan)?), address).map(Some)
 }
 
-/// The layout beside an `.mcap`, made before the run so that a name that is taken is refused before it too.
+/// The layout beside an `.mcap`, made before anything is written so that a name that is taken leaves nothing behind.
 fn layout_file(plan: &Plan, arguments: &RunArguments) -> Result<Option<PartFile>, RecordingError> {
     if !arguments.formats().contains(&FileFormat::Mcap) {
         return Ok(None);

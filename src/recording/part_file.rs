@@ -8,8 +8,8 @@ use super::RecordingError;
 
 /// A file that has its name only once it is whole: until [`Self::publish`] it is `NAME.part`, in the same folder.
 ///
-/// What was written reaches the operating system about once a second, so the part file of a killed run is readable
-/// that far. It is locked while it is being written: a second run into the same name is refused. The part file that a
+/// What was written reaches the operating system about once a second, at the end of a batch, so the part file of a
+/// killed run is readable that far. It is locked while it is being written: a second run into the same name is refused. The part file that a
 /// killed run left is refused like a finished one, as it may be all there is of that run, and replaced on overwriting.
 ///
 /// The first failure is the last write: every later call fails too, so a file with a hole is never published.
@@ -21,6 +21,7 @@ pub struct PartFile {
     buffer: BufWriter<Disk>,
     bytes: u64,
     flushed: Instant,
+    flush_every: Duration,
     failure: Option<String>,
     published: bool,
 }
@@ -39,8 +40,8 @@ impl PartFile {
     /// Creates `NAME.part` beside `path`, empty and locked.
     ///
     /// # Errors
-    /// If `path` exists, or the part file of a killed run, and `overwrite` is not set; if another run is writing to
-    /// it; if the operating system refuses.
+    /// If `path` is a folder; if it exists, or the part file of a killed run, and `overwrite` is not set; if another
+    /// run is writing to it; if the operating system refuses.
     pub fn create(path: &Path, overwrite: bool) -> Result<Self, RecordingError> {
         Self::create_as(path, part_path(path), overwrite)
     }
@@ -55,6 +56,9 @@ impl PartFile {
     }
 
     fn create_as(path: &Path, part: PathBuf, overwrite: bool) -> Result<Self, RecordingError> {
+        if path.is_dir() {
+            return Err(io_error("write", path, ErrorKind::IsADirectory.into()));
+        }
         if !overwrite && exists(path)? {
             return Err(RecordingError::Exists { path: path.into() });
         }
@@ -72,6 +76,7 @@ impl PartFile {
             buffer: BufWriter::with_capacity(Self::BUFFER, Disk { file, room: u64::MAX }),
             bytes: 0,
             flushed: Instant::now(),
+            flush_every: Self::FLUSH_EVERY,
             failure: None,
             published: false,
         })
@@ -82,6 +87,23 @@ impl PartFile {
     pub fn with_room_for(mut self, bytes: u64) -> Self {
         self.buffer.get_mut().room = bytes;
         self
+    }
+
+    /// The same file, of whose last `interval` of writing a killed run may lose what it wrote, and not of the last
+    /// second.
+    #[must_use]
+    pub fn flushing_every(mut self, interval: Duration) -> Self {
+        self.flush_every = interval;
+        self
+    }
+
+    /// Hands everything that was written to the operating system, if that was last done long enough ago. Sinks call it
+    /// after each batch, so that a part file holds whole batches however long the next one takes.
+    ///
+    /// # Errors
+    /// If that fails, or something failed before.
+    pub fn flush_if_due(&mut self) -> io::Result<()> {
+        if self.flushed.elapsed() >= self.flush_every { self.flush() } else { Ok(()) }
     }
 
     /// The name it gets when it is published.
@@ -160,9 +182,6 @@ impl Write for PartFile {
         let written = self.buffer.write(bytes);
         let written = self.remember(written)?;
         self.bytes += written as u64;
-        if self.flushed.elapsed() >= Self::FLUSH_EVERY {
-            self.flush()?;
-        }
         Ok(written)
     }
 

@@ -1,5 +1,5 @@
-//! Full disks, cut and damaged files, two runs at once: an error each time, never a panic, never a broken recording under
-//! a final name.
+//! Cut and damaged files, failed writes, taken names: an error each time, never a panic, never a broken recording under a
+//! final name. Full disks are in `full_disks`; what the program does, in `killed_runs` and `contested_names`.
 
 use std::fs;
 use std::io::Write;
@@ -13,9 +13,10 @@ use tempfile::tempdir;
 use crate::planned::{plan, samples, single};
 
 /// Opens a sink on a file.
-type Open = fn(&Plan, PartFile) -> Result<Box<dyn Sink>, RecordingError>;
+pub type Open = fn(&Plan, PartFile) -> Result<Box<dyn Sink>, RecordingError>;
 
-fn formats() -> Vec<(&'static str, Open)> {
+/// Every format of this build, `csv` first.
+pub fn formats() -> Vec<(&'static str, Open)> {
     let csv: Open = |plan, file| Ok(Box::new(CsvFile::create(&Subject::of(plan), file)?));
     #[cfg(feature = "mcap")]
     let mcap: Open = |plan, file| {
@@ -36,36 +37,13 @@ fn formats() -> Vec<(&'static str, Open)> {
     ]
 }
 
-fn record(plan: &Plan, open: Open, file: PartFile) -> Result<(), RecordingError> {
+/// A whole run.
+pub fn record(plan: &Plan, open: Open, file: PartFile) -> Result<(), RecordingError> {
     let mut sink = open(plan, file)?;
     for samples in samples(plan, 512) {
         sink.write(&samples)?;
     }
     sink.finish()?.publish()
-}
-
-#[test]
-fn a_disk_that_fills_up_anywhere_is_an_error_and_leaves_no_recording() {
-    let plan = plan(12_000);
-    for (extension, open) in formats() {
-        let folder = tempdir().expect("a folder");
-        let path = folder.path().join(format!("run.{extension}"));
-        record(&plan, open, PartFile::create(&path, false).expect("a free name")).expect("room");
-        let bytes = fs::metadata(&path).expect("recorded").len();
-        fs::remove_file(&path).expect("recorded");
-        // About every chunk, and the first and last bytes.
-        let rooms = (0..bytes).step_by(100_000).chain([1, 9, 100, bytes - 100, bytes - 9, bytes - 1]);
-        for room in rooms {
-            let file = PartFile::create(&path, true).expect("a name").with_room_for(room);
-            let error = record(&plan, open, file).expect_err("a full disk").to_string();
-            assert!(error.contains("no room left"), "{extension}, room for {room}: {error}");
-            assert!(!path.exists(), "{extension}, room for {room}");
-            if extension == "mcap" {
-                let part = folder.path().join("run.mcap.part");
-                contents(&part).unwrap_or_else(|error| panic!("room for {room}: {error}"));
-            }
-        }
-    }
 }
 
 #[test]

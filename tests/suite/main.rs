@@ -8,6 +8,8 @@ mod cli;
 #[cfg(feature = "cli")]
 mod cli_files;
 mod closed_torques;
+#[cfg(feature = "cli")]
+mod contested_names;
 #[cfg(feature = "serde")]
 mod convert;
 mod csv_format;
@@ -18,7 +20,10 @@ mod fixed_step;
 mod floors;
 mod forced_oracle;
 mod free_laws;
+mod full_disks;
 mod hostile;
+#[cfg(all(feature = "cli", unix))]
+mod killed_runs;
 mod lagrange_top;
 #[cfg(feature = "mcap")]
 mod mcap_format;
@@ -38,6 +43,8 @@ mod reference;
 #[cfg(feature = "rerun")]
 mod rerun_format;
 mod same_bits;
+#[cfg(feature = "cli")]
+mod same_bytes;
 #[cfg(feature = "serde")]
 mod same_motion;
 #[cfg(feature = "serde")]

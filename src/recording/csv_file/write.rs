@@ -50,7 +50,7 @@ impl CsvFile {
 
 impl Sink for CsvFile {
     fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
-        let written = self.append(samples);
+        let written = self.append(samples).and_then(|()| self.file.flush_if_due());
         self.check(written)
     }
 

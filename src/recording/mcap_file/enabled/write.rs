@@ -73,7 +73,7 @@ impl Sink for McapFile {
                 scene.draw(samples, index, &mut self.output)?;
             }
         }
-        Ok(())
+        self.output.flush_if_due()
     }
 
     fn finish(mut self: Box<Self>) -> Result<PartFile, RecordingError> {

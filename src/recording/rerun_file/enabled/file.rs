@@ -74,10 +74,10 @@ impl<W: Write> RerunStream<W> {
         let times = timelines(samples.stamps_ns.clone(), steps);
         let rows = Rows { count: samples.len(), times: &times };
         self.plots.write(&mut self.stream, self.store, rows, samples)?;
-        match &mut self.moving {
-            Some(moving) => moving.write(&mut self.stream, self.store, samples),
-            None => Ok(()),
+        if let Some(moving) = &mut self.moving {
+            moving.write(&mut self.stream, self.store, samples)?;
         }
+        self.stream.flush_if_due()
     }
 }
 

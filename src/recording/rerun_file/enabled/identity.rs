@@ -4,14 +4,17 @@ use uuid::Uuid;
 
 use crate::recording::Subject;
 
-/// The store of the samples. The viewer merges files with equal ids, so equal ids mean equal contents: the id is a hash
-/// of what identifies the subject, of its name and of this crate's version.
+/// The store of the samples. The viewer merges files with equal ids, and leaves out chunks whose ids it has: so equal ids
+/// mean equal contents. The id is a hash of what identifies the subject, of its name, of this crate's version and of the
+/// certificates.
 ///
 /// # Errors
 /// If Rerun refuses the name.
 pub(super) fn recording(subject: &Subject) -> Result<StoreId, String> {
     let mut hash = Sha256::new();
-    for part in [env!("CARGO_PKG_VERSION"), subject.name.as_str(), subject.identity.as_str()] {
+    let certified = subject.heading.bodies.iter().flat_map(|body| &body.certificate).map(|(_, value)| value.as_str());
+    let known = [env!("CARGO_PKG_VERSION"), subject.name.as_str(), subject.identity.as_str()];
+    for part in known.into_iter().chain(certified) {
         hash.update(part.as_bytes());
         hash.update([0]);
     }

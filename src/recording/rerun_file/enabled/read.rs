@@ -28,12 +28,12 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
             LogMsg::BlueprintActivationCommand(_) => {}
         }
     }
-    let mut details = survey.details;
+    let is_complete = messages.end() == End::Whole;
+    let state = if is_complete { "complete" } else { "unfinished: the end is missing" };
+    let mut details = vec![("state".into(), state.into())];
+    details.extend(survey.details);
     details.push(("rerun version".into(), messages.version().to_string()));
     details.push(("layout".into(), format!("{} parts", survey.layout_chunks)));
-    if messages.end() == End::BrokenOff {
-        details.push(("complete".into(), "no, it breaks off".into()));
-    }
     Ok(Contents {
         format: "rrd",
         is_whole: messages.end() == End::Whole,

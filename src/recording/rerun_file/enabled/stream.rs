@@ -12,7 +12,7 @@ use re_protos::log_msg::v1alpha1::RrdFooter;
 use re_sdk_types::{AsComponents, SerializedComponentColumn};
 use re_tuid::Tuid;
 
-use crate::recording::RecordingError;
+use crate::recording::{PartFile, RecordingError};
 
 /// The byte level of an `.rrd`: header, messages, and the footer that says where each chunk is.
 ///
@@ -190,6 +190,17 @@ impl<W: Write> Stream<W> {
         let id = tuid(self.next_id);
         self.next_id += rows + 1;
         id
+    }
+}
+
+impl Stream<PartFile> {
+    /// Flushes what was sent, from time to time.
+    ///
+    /// # Errors
+    /// If that fails.
+    pub(super) fn flush_if_due(&mut self) -> Result<(), RecordingError> {
+        let flushed = self.writer.flush_if_due();
+        flushed.map_err(|source| RecordingError::Io { attempt: "write", path: self.path.clone(), source })
     }
 }
 

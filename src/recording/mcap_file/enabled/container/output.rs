@@ -168,6 +168,12 @@ impl Output {
         flushed.map_err(|source| self.unwritten(source))
     }
 
+    /// Flushes closed chunks from time to time. The open one stays open: where chunks end is no matter of the clock.
+    pub fn flush_if_due(&mut self) -> Result<(), RecordingError> {
+        let flushed = self.file.as_mut().map_or(Ok(()), PartFile::flush_if_due);
+        flushed.map_err(|source| self.unwritten(source))
+    }
+
     /// Writes the indexes and hands back the file.
     pub fn finish(mut self) -> Result<PartFile, RecordingError> {
         self.close_chunk()?;
