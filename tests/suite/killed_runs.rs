@@ -164,6 +164,22 @@ fn killed_while_it_ends_a_run_leaves_no_name_on_a_broken_file() {
     }
 }
 
+/// A run that is killed between giving a file its name and taking the other from it.
+#[test]
+fn a_file_under_both_its_names_is_whole_and_is_parted_by_force() {
+    let folder = folder();
+    assert_eq!(start(folder.path(), &[]).wait().expect("it ends").code(), Some(0));
+    for format in FORMATS {
+        fs::hard_link(final_name(folder.path(), format), part_name(folder.path(), format)).expect("a second name");
+    }
+    assert_nothing_is_broken(folder.path(), &plan(&[]));
+    assert_eq!(start(folder.path(), &[]).wait().expect("it ends").code(), Some(2));
+    assert_nothing_is_broken(folder.path(), &plan(&[]));
+    assert_eq!(start(folder.path(), &["--force"]).wait().expect("it ends").code(), Some(0));
+    assert_nothing_is_broken(folder.path(), &plan(&[]));
+    assert!(FORMATS.iter().all(|format| !part_name(folder.path(), format).exists()));
+}
+
 /// A run that is killed between naming its first file and its second leaves the second whole, as a part.
 #[test]
 fn a_part_that_only_lacks_its_name_is_told_to_be_complete() {
