@@ -74,16 +74,17 @@ impl<W: Write> RerunStream<W> {
         let times = timelines(samples.stamps_ns.clone(), steps);
         let rows = Rows { count: samples.len(), times: &times };
         self.plots.write(&mut self.stream, self.store, rows, samples)?;
-        if let Some(moving) = &mut self.moving {
-            moving.write(&mut self.stream, self.store, samples)?;
+        match &mut self.moving {
+            Some(moving) => moving.write(&mut self.stream, self.store, samples),
+            None => Ok(()),
         }
-        self.stream.flush_if_due()
     }
 }
 
 impl Sink for RerunFile {
     fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
-        self.0.write(samples)
+        self.0.write(samples)?;
+        self.0.stream.flush_if_due()
     }
 
     fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
