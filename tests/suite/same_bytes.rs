@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::Command;
 use std::{env, fs};
 
-use polhode::recording::{Recorder, Recording};
+use polhode::recording::{Recorder, Recording, contents};
 use polhode::scenario::{Plan, Scenario, library};
 use polhode::study::certify;
 use polhode::telemetry::{BodySamples, Samples};
@@ -153,9 +153,8 @@ fn batches_leave_every_byte_of_mcap_and_csv() {
 fn id(plan: &Plan) -> String {
     let folder = tempdir().expect("a folder");
     here(plan, folder.path(), &["rrd"], Plan::BATCH);
-    let recording = Recording::open(&folder.path().join(format!("{}.rrd", plan.name))).expect("a recording");
-    let provenance = &recording.heading().provenance;
-    provenance.iter().find(|(name, _)| name == "recording").expect("an id").1.clone()
+    let details = contents(&folder.path().join(format!("{}.rrd", plan.name))).expect("a recording").details;
+    details.into_iter().find(|(name, _)| name == "recording").expect("an id").1
 }
 
 /// The scene's hash in an `.mcap`.
