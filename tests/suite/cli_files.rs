@@ -60,6 +60,8 @@ fn a_table_gets_pictures_from_its_scene_only() {
     let drawn = polhode(folder, &["convert", "scene.csv", "drawn.mcap", "--scene", "scene.toml"]);
     assert_eq!((drawn.status.code(), stderr(&drawn).as_str()), (Some(0), ""));
     assert!(folder.join("drawn.layout.json").is_file());
+    let later = polhode(folder, &["convert", "plain.mcap", "later.rrd", "--scene", "scene.toml"]);
+    assert_eq!((later.status.code(), stderr(&later).as_str()), (Some(0), ""), "what was made of a table, too");
     let other = ["convert", "scene.csv", "other.mcap", "--scene", "scene.toml", "--set"];
     let refused = polhode(folder, &[&other[..], &["body.0.angular_velocity_rad_s=[0, 0, 2]"]].concat());
     assert_eq!(refused.status.code(), Some(2));

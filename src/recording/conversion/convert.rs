@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::fit::{RECOVERED, check_values, fitted};
+use super::fit::{RECOVERED, check_values, fitted, tells_scene};
 use super::plain::{converted, plain};
 use super::scene;
 use super::shorten::what_was_kept;
@@ -54,7 +54,7 @@ impl Conversion {
     pub fn with_plan(path: &Path, plan: Plan) -> Result<Self, RecordingError> {
         let survey = whole(path)?;
         let plan = fitted(plan, &survey, false).and_then(|plan| {
-            if survey.heading.provenance.is_empty() {
+            if !tells_scene(&survey.heading) {
                 check_values(&plan, &survey, path)?;
             }
             Ok(plan)
@@ -86,12 +86,12 @@ impl Conversion {
     }
 
     fn planned(path: &Path, survey: Survey, plan: Plan) -> Self {
-        let facts = if survey.heading.provenance.is_empty() {
+        let facts = if tells_scene(&survey.heading) {
+            survey.heading.provenance.iter().cloned().collect()
+        } else {
             let mut facts = converted(path, &survey);
             facts.extend(subject::of_plan(&plan));
             facts
-        } else {
-            survey.heading.provenance.iter().cloned().collect()
         };
         Self { path: path.into(), survey, plan: Some(plan), facts, remark: None }
     }

@@ -35,6 +35,11 @@ pub fn fitted(mut plan: Plan, survey: &Survey, is_cut_off: bool) -> Result<Plan,
     Ok(plan)
 }
 
+/// Whether a recording tells of which scene it is: a table does not, nor does what was made of one.
+pub fn tells_scene(heading: &Heading) -> bool {
+    heading.fact("scene").is_some()
+}
+
 /// Holds values of the recording at `path`, about one a batch, against those of the plan: columns without words could be
 /// of another scene.
 pub fn check_values(plan: &Plan, survey: &Survey, path: &Path) -> Result<(), String> {
@@ -110,7 +115,7 @@ fn check_bodies(plan: &Plan, heading: &Heading) -> Result<(), String> {
     if planned != recorded {
         return Err(format!("the scene has {planned} bodies, the recording {recorded}"));
     }
-    let tells_names = !heading.provenance.is_empty() || recorded > 1;
+    let tells_names = tells_scene(heading) || recorded > 1;
     for (body, recorded) in plan.bodies.iter().zip(&heading.bodies) {
         if tells_names && body.name != recorded.name {
             return Err(format!("the scene has a body {}, the recording {}", body.name, recorded.name));
@@ -124,7 +129,7 @@ fn check_bodies(plan: &Plan, heading: &Heading) -> Result<(), String> {
 
 /// What the plan says of itself, the recording says too.
 fn check_facts(plan: &Plan, heading: &Heading) -> Result<(), String> {
-    if heading.provenance.is_empty() {
+    if !tells_scene(heading) {
         return Ok(());
     }
     // Of what differs, words say more than hashes.

@@ -9,5 +9,8 @@ pub use sampling::Sampling;
 pub use told::Subject;
 
 pub(super) use digest::sha256;
-pub(super) use facts::{certificate, conventions, of_plan};
+#[cfg(any(feature = "mcap", feature = "rerun"))]
+pub(super) use facts::certificate;
+pub(super) use facts::{conventions, of_plan};
+#[cfg(feature = "rerun")]
 pub(super) use told::bodies;

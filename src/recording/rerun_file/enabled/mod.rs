@@ -6,7 +6,7 @@
 //! * `/world/…`: the picture, f32, at the picture's rate: `body/<name>` with its shape and axes, `vectors/<name>/…`,
 //!   `trail/<name>`, `path/<name>`, `axes`.
 //! * `/poinsot/<name>/…`, `/body_frame/<name>/…`: Poinsot's construction of a body that turns freely, f32, at the same rate.
-//! * `/about`, `/log`: words. `/scene`, `/provenance`: where it comes from, for programs, too.
+//! * `/about`, `/log`: words. `/scene`, `/provenance`, `/body/<name>`: where it comes from and of what, for programs, too.
 //!
 //! Timelines: `sim_time`, ns from the start of the run, and `step`, the number of the sample.
 
