@@ -84,6 +84,7 @@ fn scene(plan: &Plan, picture: &Picture) -> Value {
         "followMode": "follow-none",
         "followTf": "world",
         "foxglovePanelTitle": plan.title,
+        "lichtblickPanelTitle": plan.title,
         "scene": { "backgroundColor": "#15171b", "transforms": { "showLabel": false, "axisScale": 0 } },
         "topics": { "/scene": { "visible": true }, "/scene/surfaces": { "visible": true } },
     })
@@ -112,6 +113,7 @@ fn coloured(paths: Vec<(String, String)>) -> Vec<Value> {
 fn plot(title: &str, paths: &[Value]) -> Value {
     json!({
         "foxglovePanelTitle": title,
+        "lichtblickPanelTitle": title,
         "paths": paths,
         "isSynced": true,
         "xAxisVal": "timestamp",

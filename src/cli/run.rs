@@ -59,7 +59,7 @@ pub fn execute(arguments: &RunArguments) -> io::Result<Outcome> {
                 for missed in report.missed_tolerances() {
                     remark(&format!("{}: {missed}", report.plan.name));
                 }
-                for check in report.checks.iter().filter(|check| !check.passed) {
+                for check in report.plan.outcomes.iter().filter(|check| !check.passed) {
                     remark(&format!("{}: check failed: {}", report.plan.name, check.name));
                 }
             }
@@ -98,7 +98,9 @@ fn plans(arguments: &RunArguments) -> Result<Vec<Plan>, RunError> {
     Ok(plans)
 }
 
-fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<Report, RunError> {
+fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<Report, RunError> {
+    let outcomes = plan.measure_checks()?;
+    let mut plan = plan.with_outcomes(outcomes);
     if arguments.certify {
         let certificates = certify(&plan).map_err(RunError::Certificate)?;
         for (body, certificate) in plan.bodies.iter_mut().zip(certificates) {
@@ -126,9 +128,8 @@ fn record(mut plan: Plan, arguments: &RunArguments, progress: &Progress) -> Resu
     }
     bar.finish_and_clear();
     let wall = started.elapsed();
-    let checks = plan.measure_checks()?;
     drop(run);
-    Ok(Report { plan, files, effort, wall, checks })
+    Ok(Report { plan, files, effort, wall })
 }
 
 /// The viewer that looks on, if one was asked for.

@@ -23,7 +23,7 @@ pub use damped::BrakedRotation;
 pub use distance::{attitude_distance, attitude_distances};
 pub use error::PropagationError;
 pub use fixed_step::{Coverage, FixedStep, FixedStepMethod, Information};
-pub use free::FreeRotation;
+pub use free::{FreeRotation, Reversals};
 pub use lagrange_top::LagrangeTop;
 pub use precise::{PreciseState, PreciseTaylor};
 pub use propagator::{Effort, Propagator};

@@ -3,6 +3,7 @@
 mod certificate;
 mod check;
 mod error;
+mod event;
 #[cfg(feature = "serde")]
 mod file;
 mod grid;
@@ -20,9 +21,10 @@ mod watch;
 pub use certificate::Certificate;
 pub use check::{CheckKind, CheckOutcome, CheckPlan};
 pub use error::{Excerpt, Refused, ScenarioError};
+pub use event::{Event, EventKind};
 pub use grid::Grid;
 pub use key::{Key, Refusal, Segment};
-pub use planned::{Event, Path, Plan, PlannedBody};
+pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
     BodySpec, BoxSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec, ForceSpec, ForceSpecs, Frame,

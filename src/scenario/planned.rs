@@ -1,4 +1,4 @@
-use super::{Certificate, CheckPlan, Grid, Provenance};
+use super::{Certificate, CheckOutcome, CheckPlan, Event, Grid, Provenance};
 use crate::body::{MassProperties, Surface};
 use crate::dynamics::Problem;
 use crate::propagation::FixedStepMethod;
@@ -27,7 +27,9 @@ pub struct Plan {
     pub bodies: Vec<PlannedBody>,
     /// What the motion must show.
     pub checks: Vec<CheckPlan>,
-    /// Loads that begin or end within the run, in order of time.
+    /// What was found of them, in their order; empty until someone measures.
+    pub outcomes: Vec<CheckOutcome>,
+    /// What happens within the run, in order of time.
     pub events: Vec<Event>,
 }
 
@@ -102,15 +104,4 @@ impl Path {
             Self::Dop853 { .. } => "DOP853",
         }
     }
-}
-
-/// Something that happens at one instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Event {
-    /// When, s.
-    pub time_s: f64,
-    /// To which body: its number.
-    pub body: usize,
-    /// What, in words.
-    pub text: String,
 }

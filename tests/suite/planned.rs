@@ -5,7 +5,7 @@ use polhode::body::{AngularVelocity, Attitude, MassProperties, PrincipalMoments,
 use polhode::dynamics::Problem;
 use polhode::recording::Recording;
 use polhode::recording::picture::{Arrow, BodyPicture, Picture, Poinsot, Quantity};
-use polhode::scenario::{Event, Grid, Path, Plan, PlannedBody, Provenance, nanoseconds};
+use polhode::scenario::{Event, EventKind, Grid, Path, Plan, PlannedBody, Provenance, nanoseconds};
 use polhode::telemetry::{BodySamples, Channel, Samples};
 
 /// Two torque-free bodies: `upper` with every channel, `lower` with ω in body axes and its energy only.
@@ -22,9 +22,10 @@ pub fn plan(count: u64) -> Plan {
         grid: Grid::Uniform { every_s: 1e-3, count },
         bodies: vec![body("upper", &Channel::ALL), body("lower", &lower)],
         checks: Vec::new(),
+        outcomes: Vec::new(),
         events: vec![
-            Event { time_s: 0.0, body: 0, text: "thruster on".into() },
-            Event { time_s: 2.5e-3, body: 1, text: "thruster off".into() },
+            Event { time_s: 0.0, body: 0, kind: EventKind::Load, text: "thruster on".into() },
+            Event { time_s: 2.5e-3, body: 1, kind: EventKind::Load, text: "thruster off".into() },
         ],
     }
 }
@@ -94,6 +95,7 @@ pub fn picture(plan: &Plan) -> Picture {
         arrows: quantities.into_iter().filter(|quantity| quantity.is_recorded(&body.channels)).map(arrow).collect(),
         spin_axis: Vector3::z(),
         position: Vector3::new(0.0, 0.0, 1.5),
+        travels: true,
         poinsot: Poinsot::of(body),
     };
     Picture {
@@ -102,7 +104,9 @@ pub fn picture(plan: &Plan) -> Picture {
         last: plan.grid.len() - 1,
         eye: Vector3::new(3.0, 0.0, 1.0),
         target: Vector3::zeros(),
+        size: 1.0,
         bodies: plan.bodies.iter().map(body).collect(),
+        powers: vec![(Channel::TotalEnergy, -3)],
     }
 }
 

@@ -5,10 +5,12 @@
 
 mod invariants;
 mod polhode_rates;
+mod reversals;
 mod rotation;
 mod separatrix;
 mod symmetric;
 mod tri_axial;
 mod uniform;
 
+pub use reversals::Reversals;
 pub use rotation::FreeRotation;

@@ -1,5 +1,6 @@
 use super::invariants::{Polhode, Start};
 use super::polhode_rates::{PolhodeRates, RatesNome};
+use super::reversals::Reversals;
 use super::separatrix::Separatrix;
 use super::symmetric::Symmetric;
 use super::tri_axial::{Nome, TriAxial};
@@ -81,6 +82,61 @@ impl FreeRotation {
             evaluations: 0,
         })
     }
+
+    /// When ω along the middle axis changes sign; `None` where it never does.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn reversals(problem: &Problem) -> Result<Option<Reversals>, PropagationError> {
+        Self::new(problem)?;
+        let omega = problem.initial.angular_velocity.in_body();
+        let (moments, omega, scale) = near_one(problem.moments.vector().into(), omega.into());
+        let ascending = ascending(&moments);
+        let is_tri_axial = ascending.windows(2).all(|pair| moments[pair[0]] < moments[pair[1]]);
+        if !is_tri_axial || turns_uniformly(&omega) {
+            return Ok(None);
+        }
+        let attitude = ExactQuaternion::along(problem.initial.attitude.wxyz());
+        let (start, polhode) = tri_axial(ascending, moments, omega, attitude);
+        Ok(Some(Reversals::new(&start, &polhode, scale)))
+    }
+}
+
+/// Moments and ω multiplied by powers of two that bring them near 1, and that of ω.
+fn near_one(moments: [f64; 3], omega: [f64; 3]) -> ([f64; 3], [f64; 3], f64) {
+    let scale = scale_of(omega.into_iter().fold(0.0, |size, component| size.max(component.abs())));
+    let kilograms = scale_of(moments.into_iter().fold(0.0, f64::max));
+    let omega = omega.map(|component| {
+        let scaled = component * scale;
+        if scaled.abs() < FreeRotation::NEGLIGIBLE { 0.0 } else { scaled }
+    });
+    (moments.map(|moment| moment * kilograms), omega, scale)
+}
+
+/// Whether ω stays along one axis.
+fn turns_uniformly(omega: &[f64; 3]) -> bool {
+    omega.iter().filter(|&&component| component != 0.0).count() < 2
+}
+
+/// The axes in the order of their moments.
+fn ascending(moments: &[f64; 3]) -> [usize; 3] {
+    let mut ascending = [0, 1, 2];
+    ascending.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    ascending
+}
+
+/// Of three different moments: primed axes such that L circles about the third, and the curve.
+fn tri_axial(
+    [low, middle, high]: [usize; 3],
+    moments: [f64; 3],
+    omega: [f64; 3],
+    attitude: ExactQuaternion,
+) -> (Start, Polhode) {
+    let start = |axes| Start::new(Frame::new(axes, omega), moments, omega, attitude);
+    let about_high = start([low, middle, high]);
+    let separation = about_high.share(2, 1) + about_high.share(0, 1);
+    let start = if separation.hi() >= 0.0 { about_high } else { start([high, middle, low]) };
+    (start, Polhode::new(&start, separation))
 }
 
 /// A power of two that brings `size` near 1: multiplying by it is exact.
@@ -91,20 +147,13 @@ fn scale_of(size: f64) -> f64 {
 
 impl Branch {
     fn new(moments: [f64; 3], omega: [f64; 3], attitude: ExactQuaternion, wants_attitude: bool) -> Self {
-        let scale = scale_of(omega.into_iter().fold(0.0, |size, component| size.max(component.abs())));
-        let uniform = || Self::Uniform(Uniform::new(omega, scale, attitude));
-        let kilograms = scale_of(moments.into_iter().fold(0.0, f64::max));
-        let moments = moments.map(|moment| moment * kilograms);
-        let omega = omega.map(|component| {
-            let scaled = component * scale;
-            if scaled.abs() < FreeRotation::NEGLIGIBLE { 0.0 } else { scaled }
-        });
-        if omega.into_iter().filter(|&component| component != 0.0).count() < 2 {
+        let as_given = omega;
+        let (moments, omega, scale) = near_one(moments, omega);
+        let uniform = || Self::Uniform(Uniform::new(as_given, scale, attitude));
+        if turns_uniformly(&omega) {
             return uniform();
         }
-        let mut ascending = [0, 1, 2];
-        ascending.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
-        let [low, middle, high] = ascending;
+        let ascending @ [low, middle, high] = ascending(&moments);
         let start = |axes| Start::new(Frame::new(axes, omega), moments, omega, attitude);
         match (moments[low] == moments[middle], moments[middle] == moments[high]) {
             (true, true) => return uniform(),
@@ -112,13 +161,10 @@ impl Branch {
             (false, true) => return Self::Symmetric(Symmetric::new(&start([middle, high, low]), scale)),
             (false, false) => {}
         }
-        let about_high = start([low, middle, high]);
-        let separation = about_high.share(2, 1) + about_high.share(0, 1);
-        if separation.is_zero() {
-            return Self::Separatrix(Separatrix::new(&about_high, &Polhode::new(&about_high, separation), scale));
+        let (start, polhode) = tri_axial(ascending, moments, omega, attitude);
+        if polhode.complement.is_zero() {
+            return Self::Separatrix(Separatrix::new(&start, &polhode, scale));
         }
-        let start = if separation.hi() > 0.0 { about_high } else { start([high, middle, low]) };
-        let polhode = Polhode::new(&start, separation);
         if !wants_attitude {
             return match RatesNome::new(&start, &polhode, scale) {
                 RatesNome::Series(motion) => Self::SeriesRates(motion),

@@ -15,9 +15,10 @@ pub struct Room {
 
 /// Where the camera stands and what it looks at so that all rooms are in the picture.
 ///
-/// One body is looked at from the front, a little from the left and from above: x comes forward, y goes right, z up.
-/// A row of bodies is looked at from its side.
-pub fn place(rooms: &[Room]) -> (Vector3<f64>, Vector3<f64>) {
+/// One body is looked at from the front, a little from the left and from above: x comes forward, y goes right, z up;
+/// where its L (`momentum`, world axes) lies level, from beside it, a little from its tip: an arrow that points away is
+/// behind the body. A row of bodies is looked at from its side.
+pub fn place(rooms: &[Room], momentum: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let low = |room: &Room| room.lowest - Vector3::repeat(room.radius);
     let high = |room: &Room| room.highest + Vector3::repeat(room.radius);
     let lowest = rooms.iter().map(low).reduce(|a, b| a.inf(&b)).unwrap_or_default();
@@ -28,7 +29,7 @@ pub fn place(rooms: &[Room]) -> (Vector3<f64>, Vector3<f64>) {
     } else if size.x > 1.5 * size.y {
         Vector3::new(0.2, -0.93, 0.3)
     } else {
-        Vector3::new(0.78, -0.52, 0.36)
+        beside(momentum, Vector3::new(0.78, -0.52, 0.36))
     };
     let direction = direction.normalize();
     let right = Vector3::z().cross(&direction).normalize();
@@ -43,6 +44,16 @@ pub fn place(rooms: &[Room]) -> (Vector3<f64>, Vector3<f64>) {
     };
     let distance = rooms.iter().flat_map(corners).map(distance_for).fold(0.0, f64::max);
     (target + distance * direction, target)
+}
+
+/// A direction of the height of `usual`, across what lies level, on the usual side of it; else `usual`.
+fn beside(momentum: &Vector3<f64>, usual: Vector3<f64>) -> Vector3<f64> {
+    let level = Vector3::new(momentum.x, momentum.y, 0.0);
+    let Some(along) = level.try_normalize(0.5 * momentum.norm()) else { return usual };
+    let across = Vector3::new(-along.y, along.x, 0.0);
+    let across = across * usual.dot(&across).signum();
+    let flat = libm::hypot(usual.x, usual.y);
+    (0.95 * across + 0.3 * along).normalize() * flat + Vector3::new(0.0, 0.0, usual.z)
 }
 
 /// The balls about the eight corners of a room's box.
@@ -64,10 +75,22 @@ mod tests {
             let centre = Vector3::new(0.0, y, 0.0);
             Room { lowest: centre, highest: centre, radius: 1.0 }
         };
-        let (eye, target) = place(&[ball(-6.0), ball(0.0), ball(6.0)]);
+        let (eye, target) = place(&[ball(-6.0), ball(0.0), ball(6.0)], &Vector3::y());
         assert_eq!(target, Vector3::zeros());
         assert!(eye.x > 4.0 * eye.y.abs(), "{eye}");
-        let (near, _) = place(&[ball(0.0)]);
+        let (near, _) = place(&[ball(0.0)], &Vector3::z());
         assert!((near.norm() - 1.0 / HALF_HEIGHT).abs() < 1e-12, "{near}");
+    }
+
+    #[test]
+    fn what_lies_level_is_seen_across_and_points_out_of_the_picture() {
+        let room = Room { lowest: Vector3::zeros(), highest: Vector3::zeros(), radius: 1.0 };
+        for angle in [0.0, 0.7, 1.6, 3.0, 4.4, 5.5] {
+            let (sin, cos) = libm::sincos(angle);
+            let momentum = Vector3::new(cos, sin, 0.1);
+            let (eye, _) = place(&[room], &momentum);
+            let towards = eye.normalize().dot(&momentum.normalize());
+            assert!((0.2..0.4).contains(&towards), "{towards}");
+        }
     }
 }

@@ -3,6 +3,7 @@
 mod camera;
 pub(super) mod pace;
 mod poinsot;
+mod powers;
 mod preview;
 pub(super) mod scale;
 
@@ -26,8 +27,12 @@ pub struct Picture {
     pub eye: Vector3<f64>,
     /// What it looks at, world axes, m.
     pub target: Vector3<f64>,
+    /// Extent of the largest body, m: arrows and axes are as large at every body.
+    pub size: f64,
     /// The bodies, in the plan's order.
     pub bodies: Vec<BodyPicture>,
+    /// Channels whose numbers are too large or too small for an axis: their plots are in 10ⁿ of the unit.
+    pub powers: Vec<(Channel, i32)>,
 }
 
 /// How to draw one body.
@@ -43,6 +48,8 @@ pub struct BodyPicture {
     pub spin_axis: Vector3<f64>,
     /// Of the reference point, at every sample; where it does not move.
     pub position: Vector3<f64>,
+    /// Whether the reference point goes so far that the body is small in the picture of all its way.
+    pub travels: bool,
     /// Its rolling ellipsoid, if it turns freely and what is recorded tells how.
     pub poinsot: Option<Poinsot>,
 }
@@ -61,7 +68,7 @@ pub struct Arrow {
 }
 
 /// A vector that can be drawn as an arrow.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
     /// ω.
     AngularVelocity,
@@ -129,6 +136,12 @@ pub(super) fn vector(columns: &[Vec<f64>], index: usize) -> Vector3<f64> {
 }
 
 impl Picture {
+    /// The power of ten that plots of `channel` count its unit in; 0 where its numbers are handy.
+    #[must_use]
+    pub fn power(&self, channel: Channel) -> i32 {
+        self.powers.iter().find(|(scaled, _)| *scaled == channel).map_or(0, |(_, power)| *power)
+    }
+
     /// Whether sample `index` of the run is drawn.
     #[must_use]
     pub const fn draws(&self, index: u64) -> bool {

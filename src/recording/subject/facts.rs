@@ -6,6 +6,9 @@ use crate::scenario::{Certificate, Plan};
 /// Version of what is recorded: topics, entities and what they mean. Adding to it does not change it.
 const SCHEMA_VERSION: &str = "1";
 
+/// Begins the names of facts that say what a check has found.
+pub const CHECK: &str = "check.";
+
 /// In which units and frames recordings are.
 pub fn conventions() -> BTreeMap<String, String> {
     [
@@ -31,6 +34,9 @@ pub fn of_plan(plan: &Plan) -> BTreeMap<String, String> {
         if let Some(hash) = sha256(text) {
             tell(name.into(), hash);
         }
+    }
+    for (number, outcome) in plan.outcomes.iter().enumerate() {
+        tell(format!("{CHECK}{:03}", number + 1), outcome.in_words());
     }
     for body in &plan.bodies {
         tell(format!("body.{}.method", body.name), body.path.name().into());

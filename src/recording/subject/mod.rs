@@ -11,6 +11,6 @@ pub use told::Subject;
 pub(super) use digest::sha256;
 #[cfg(any(feature = "mcap", feature = "rerun"))]
 pub(super) use facts::certificate;
-pub(super) use facts::{conventions, of_plan};
+pub(super) use facts::{CHECK, conventions, of_plan};
 #[cfg(feature = "rerun")]
 pub(super) use told::bodies;

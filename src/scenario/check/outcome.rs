@@ -84,7 +84,30 @@ impl Plan {
     }
 }
 
+impl CheckOutcome {
+    /// Name, finding, what was expected, and the verdict.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        let Self { name, expected, measured, tolerance, unit, passed } = self;
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        let verdict = if *passed { "passed" } else { "FAILED" };
+        format!("{name} {measured}{unit}, expected {expected} ± {tolerance:e}: {verdict}")
+    }
+}
+
 impl CheckPlan {
+    /// Until when it looks, s; `None` if that depends on what it finds.
+    #[must_use]
+    pub const fn time(&self) -> Option<f64> {
+        match self.kind {
+            CheckKind::FlipPeriod => None,
+            CheckKind::Energy { duration }
+            | CheckKind::Momentum { duration }
+            | CheckKind::PrecessionRate { duration, .. } => Some(duration),
+            CheckKind::Value { time, .. } => Some(time),
+        }
+    }
+
     fn measure(&self, bodies: &[PlannedBody]) -> Result<CheckOutcome, PropagationError> {
         let body = &bodies[self.body];
         let measured = match &self.kind {

@@ -3,6 +3,7 @@
 mod bodies;
 mod channels;
 mod checks;
+mod events;
 mod loads;
 mod mass;
 mod mesh;

@@ -167,6 +167,7 @@ pub(super) struct Log {
 
 impl Log {
     pub const INFO: i32 = 2;
+    pub const WARNING: i32 = 3;
 }
 
 impl Timestamp {

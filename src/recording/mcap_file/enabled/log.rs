@@ -6,7 +6,7 @@ use prost::Message;
 use super::container::{Output, Topic};
 use super::foxglove::{LOG, Log, Timestamp};
 use crate::recording::{RecordingError, Subject};
-use crate::scenario::{Event, Plan, nanoseconds};
+use crate::scenario::{Event, EventKind, Plan, nanoseconds};
 
 /// What happens in the run, in words, on `/log`.
 #[derive(Debug)]
@@ -42,7 +42,11 @@ impl EventLog {
 fn events(plan: &Plan) -> Vec<(i64, Log)> {
     let event = |event: &Event| {
         let body = plan.bodies.get(event.body).map_or("", |body| &body.name);
-        entry(nanoseconds(event.time_s), body, &event.text)
+        let (stamp, mut log) = entry(nanoseconds(event.time_s), body, &event.text);
+        if event.kind == EventKind::Failed {
+            log.level = Log::WARNING;
+        }
+        (stamp, log)
     };
     let mut entries: Vec<_> = plan.events.iter().map(event).collect();
     entries.sort_by_key(|(stamp, _)| *stamp);

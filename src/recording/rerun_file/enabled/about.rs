@@ -4,20 +4,22 @@ use re_sdk_types::archetypes::{TextDocument, TextLog};
 use re_sdk_types::components::TextLogLevel;
 
 use super::trail::Cut;
-use crate::recording::picture::Picture;
-use crate::scenario::{Plan, PlannedBody};
+use crate::recording::picture::{Picture, Quantity, scale};
+use crate::scenario::{Certificate, CheckOutcome, Event, EventKind, Plan, PlannedBody};
 use crate::telemetry::Channel;
 
 /// The scene in words: what it is, what to see, what was done, where it comes from.
 pub(super) fn document(plan: &Plan, picture: &Picture) -> TextDocument {
     let mut text = format!("### {}\n\n{}\n\n", plan.title, plan.summary);
+    text += &exactness(plan);
+    text += "\n#### What you see\n\n";
     text += &legend(plan, picture);
+    text += &checks(plan);
     text += "\n#### Bodies\n\n";
     text += "| body | mass (kg) | principal moments (kg m²) | method | because |\n|---|---|---|---|---|\n";
     for body in &plan.bodies {
         text += &row(body);
     }
-    text += &checks(plan);
     text += &certificates(plan);
     text += &provenance(plan);
     let _ = writeln!(text, "\nScene `{}`, recorded by polhode {}.", plan.name, env!("CARGO_PKG_VERSION"));
@@ -30,20 +32,75 @@ pub(super) fn events(plan: &Plan) -> TextLog {
         Some(body) if plan.bodies.len() > 1 => format!("{}: {}", body.name, event.text),
         _ => event.text.clone(),
     });
-    let levels = plan.events.iter().map(|_| TextLogLevel::from(TextLogLevel::INFO));
+    let level = |event: &Event| if event.kind == EventKind::Failed { TextLogLevel::WARN } else { TextLogLevel::INFO };
+    let levels = plan.events.iter().map(|event| TextLogLevel::from(level(event)));
     TextLog::update_fields().with_many_text(texts).with_many_level(levels)
+}
+
+/// How far the motion is to be believed, in a line for each body, and one for the checks.
+fn exactness(plan: &Plan) -> String {
+    let mut text = String::new();
+    for body in &plan.bodies {
+        let owner = if plan.bodies.len() > 1 { format!(" ({})", body.name) } else { String::new() };
+        if let Some(certificate) = &body.certificate {
+            let _ = writeln!(text, "- **Exact**{owner}: {}", measured(certificate));
+        }
+    }
+    let passed = plan.outcomes.iter().filter(|outcome| outcome.passed).count();
+    match plan.outcomes.len() {
+        0 => {}
+        1 if passed == 1 => {
+            text += "- **Checked**: the one check, against a number found apart from this program, is met\n"
+        }
+        all if passed == all => {
+            let _ = writeln!(
+                text,
+                "- **Checked**: all {all} checks, against laws and numbers found apart from this program, are met"
+            );
+        }
+        all => {
+            let _ = writeln!(text, "- **Checked**: **{} of {all} checks FAILED**", all - passed);
+        }
+    }
+    text
+}
+
+/// The error in numbers, and as something that can be imagined.
+fn measured(certificate: &Certificate) -> String {
+    /// m.
+    const HAIR: f64 = 1e-4;
+    let reach = match certificate.is_whole {
+        true => "anywhere in this run".to_owned(),
+        false => format!("up to {}", duration(certificate.covered_to_s)),
+    };
+    let by = format!(
+        "measured at {} samples against the same motion computed with twice as many digits",
+        certificate.samples
+    );
+    match certificate.attitude_rad {
+        Some(error) if error > 0.0 => {
+            let far = number(scale::round_down(HAIR / error / 1e3));
+            format!(
+                "the attitude is at most {error:.0e} rad off {reach}, the angle of a hair's breadth seen from {far} km; {by}"
+            )
+        }
+        Some(_) => format!("the attitude is off by nothing that could be measured {reach}; {by}"),
+        None => {
+            let error = certificate.angular_velocity_relative;
+            format!("the angular velocity is at most {error:.0e} of its size off {reach}; {by}")
+        }
+    }
 }
 
 /// What the colours and lengths mean.
 fn legend(plan: &Plan, picture: &Picture) -> String {
     let mut text = String::new();
-    for (body, drawing) in plan.bodies.iter().zip(&picture.bodies) {
-        if drawing.arrows.is_empty() {
-            continue;
-        }
-        let owner = if plan.bodies.len() > 1 { format!(" of {}", body.name) } else { String::new() };
-        let labels: Vec<_> = drawing.arrows.iter().map(|arrow| arrow.label.as_str()).collect();
-        let _ = writeln!(text, "- **Arrows**{owner}: {}", labels.join(", "));
+    let mut arrows: Vec<_> = picture.bodies.iter().flat_map(|drawing| &drawing.arrows).collect();
+    arrows.sort_by_key(|arrow| arrow.quantity);
+    arrows.dedup_by_key(|arrow| arrow.quantity);
+    let names: Vec<_> = arrows.iter().map(|arrow| format!("{} {}", colour_of(arrow.quantity), arrow.label)).collect();
+    if !names.is_empty() {
+        let _ = writeln!(text, "- **Arrows**: {}", names.join(", "));
     }
     if plan.bodies.iter().any(|body| body.channels.contains(&Channel::Attitude)) {
         text +=
@@ -66,6 +123,16 @@ fn legend(plan: &Plan, picture: &Picture) -> String {
     text
 }
 
+/// The arrow's colour, and what its symbol means.
+const fn colour_of(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::AngularVelocity => "orange the angular velocity",
+        Quantity::AngularMomentum => "blue the angular momentum",
+        Quantity::Moment => "pink the torque",
+        Quantity::Force => "green the force",
+    }
+}
+
 fn row(body: &PlannedBody) -> String {
     let mass = body.properties.mass.map_or_else(|| "–".to_owned(), number);
     let moments: Vec<_> = body.properties.moments.vector().iter().map(|moment| number(*moment)).collect();
@@ -73,8 +140,11 @@ fn row(body: &PlannedBody) -> String {
     format!("| {} | {mass} | {} | {} | {reason} |\n", body.name, moments.join(", "), body.path.name())
 }
 
-/// What the motion is held to; `polhode run` measures it.
+/// What the motion is held to, and what was found if someone has measured.
 fn checks(plan: &Plan) -> String {
+    if !plan.outcomes.is_empty() {
+        return findings(&plan.outcomes);
+    }
     if plan.checks.is_empty() {
         return String::new();
     }
@@ -82,6 +152,24 @@ fn checks(plan: &Plan) -> String {
     for check in &plan.checks {
         let (name, unit) = (check.name(&plan.bodies), check.unit);
         let _ = writeln!(text, "| {name} | {} {unit} | {} {unit} |", check.expected, number(check.tolerance));
+    }
+    text
+}
+
+fn findings(outcomes: &[CheckOutcome]) -> String {
+    let head = "| check | measured | expected | at most off by | |\n|---|---|---|---|---|\n";
+    let mut text = format!("\n#### What it was held to\n\n{head}");
+    for outcome in outcomes {
+        let CheckOutcome { name, expected, measured, tolerance, unit, passed } = outcome;
+        let verdict = if *passed { "met" } else { "**FAILED**" };
+        // Of a value that must be zero, no digit but the first few means anything.
+        let shown = |value: f64| if *expected == 0.0 { number(value) } else { value.to_string() };
+        let (measured, expected) = (shown(*measured), shown(*expected));
+        let _ = writeln!(
+            text,
+            "| {name} | {measured} {unit} | {expected} {unit} | {} {unit} | {verdict} |",
+            number(*tolerance)
+        );
     }
     text
 }

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 use super::columns::{sim_time, timelines};
 use super::moving::Moving;
 use super::plots::Plots;
+use super::scaled::Scaled;
 use super::stream::{Rows, Store, Stream};
-use super::{about, identity, layout, plain, statics, words};
+use super::{about, identity, layout, markers, plain, statics, words};
 use crate::recording::{PartFile, RecordingError, Sink, Subject};
 use crate::scenario::{Plan, nanoseconds};
 use crate::telemetry::Samples;
@@ -54,11 +55,18 @@ impl<W: Write> RerunStream<W> {
             stream.once(store, "/about", &[], &about::document(plan, picture))?;
             statics::write(&mut stream, store, plan, picture)?;
             write_events(&mut stream, store, plan)?;
+            markers::write(&mut stream, store, plan)?;
         } else {
             plain::write(&mut stream, store, subject)?;
         }
         let plots = Plots::begin(&mut stream, store, &subject.heading, subject.sampling)?;
-        let moving = subject.drawing.map(|(plan, picture)| Moving::new(plan, picture));
+        let moving = match subject.drawing {
+            Some((plan, picture)) => {
+                let scaled = Scaled::begin(&mut stream, store, plan, picture)?;
+                Some(Moving::new(plan, picture, scaled))
+            }
+            None => None,
+        };
         Ok(Self { stream, store, plots, moving })
     }
 

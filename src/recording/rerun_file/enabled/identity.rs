@@ -5,16 +5,16 @@ use uuid::Uuid;
 use crate::recording::Subject;
 
 /// The store of the samples. The viewer merges files with equal ids, and leaves out chunks whose ids it has: so equal ids
-/// mean equal contents. The id is a hash of what identifies the subject, of its name, of this crate's version and of the
-/// certificates.
+/// mean equal contents. The id is a hash of what identifies the subject, of its name, of this crate's version and of all
+/// that it says of itself.
 ///
 /// # Errors
 /// If Rerun refuses the name.
 pub(super) fn recording(subject: &Subject) -> Result<StoreId, String> {
     let mut hash = Sha256::new();
-    let certified = subject.heading.bodies.iter().flat_map(|body| &body.certificate).map(|(_, value)| value.as_str());
+    let facts = subject.heading.provenance.iter().flat_map(|(name, value)| [name.as_str(), value.as_str()]);
     let known = [env!("CARGO_PKG_VERSION"), subject.name.as_str(), subject.identity.as_str()];
-    for part in known.into_iter().chain(certified) {
+    for part in known.into_iter().chain(facts) {
         hash.update(part.as_bytes());
         hash.update([0]);
     }

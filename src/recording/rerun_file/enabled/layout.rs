@@ -15,7 +15,7 @@ use super::trail::Cut;
 use crate::recording::picture::{Picture, scale};
 use crate::recording::subject::bodies;
 use crate::recording::{RecordingError, Sampling};
-use crate::scenario::{Plan, nanoseconds};
+use crate::scenario::{EventKind, Plan, nanoseconds};
 
 /// What is on the screen at first: the picture above its explanation, the plots beside them.
 ///
@@ -32,7 +32,8 @@ pub(super) fn write<W: Write>(
     let mut scene = scene(&mut blueprint, plan, picture, &trace)?;
     let mut words = words(&mut blueprint, plan)?;
     let mut shares = [5.0, 2.0];
-    let mut construction = super::poinsot_views::write(&mut blueprint, plan, picture, &trace)?;
+    let mut construction = super::near_views::write(&mut blueprint, plan, picture)?;
+    construction.extend(super::poinsot_views::write(&mut blueprint, plan, picture, &trace)?);
     let tabs = |parts| Container { kind: ContainerKind::Tabs, name: "", parts, shares: &[] };
     if !construction.is_empty() && plan.bodies.len() > 1 {
         // Each body has a view: they need the room of the scene.
@@ -48,7 +49,7 @@ pub(super) fn write<W: Write>(
     let parts = [scene, words];
     let left = Container { kind: ContainerKind::Vertical, name: "", parts: &parts, shares: &shares };
     let left = blueprint.container(&left)?;
-    let right = super::plot_views::write(&mut blueprint, &bodies(plan, &[]), Sampling::of(&plan.grid))?;
+    let right = super::plot_views::write(&mut blueprint, &bodies(plan, &[]), Sampling::of(&plan.grid), Some(picture))?;
     let columns: Vec<_> = [Some(left), right].into_iter().flatten().collect();
     let root = blueprint.container(&Container {
         kind: ContainerKind::Horizontal,
@@ -63,15 +64,17 @@ pub(super) fn write<W: Write>(
 pub(super) struct Floor {
     /// z, m: below every body, and at the tip of one that stands on a pivot.
     pub(super) height: f64,
-    /// Extent of the largest body, m.
-    pub(super) size: f64,
+    /// Between the lines of its grid, m.
+    spacing: f64,
+    /// Length of the world's axes, m.
+    pub(super) axes: f64,
     /// Where the world's axes are drawn: beside the bodies, on the left, m.
     pub(super) corner: Vector3<f64>,
 }
 
 impl Floor {
     pub(super) fn of(plan: &Plan, picture: &Picture) -> Self {
-        let size = picture.bodies.iter().map(|drawing| drawing.extent).fold(0.0, f64::max);
+        let size = picture.size;
         let bottoms = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| {
             let depth = if body.is_pivoted { 0.0 } else { 1.5 * drawing.extent };
             drawing.position.z - depth
@@ -82,8 +85,20 @@ impl Floor {
         let left = Vector3::z().cross(&ahead);
         let distances = picture.bodies.iter().map(|drawing| (drawing.position - picture.target).xy().norm());
         let spread = distances.fold(0.0, f64::max);
-        let corner = picture.target + left * (spread + 1.9 * size) + ahead * (0.2 * size);
-        Self { height, size, corner: Vector3::new(corner.x, corner.y, height) }
+        // Of a row, the nearest body stands at the left: the axes are beside and before it.
+        let (aside, ahead) = if plan.bodies.len() > 1 {
+            (2.3 * size, ahead * (-1.2 * size))
+        } else {
+            (1.9 * size, ahead * (0.2 * size))
+        };
+        let corner = picture.target + left * (spread + aside) + ahead;
+        let distance = view.norm();
+        Self {
+            height,
+            spacing: round_number(size.max(0.08 * distance)),
+            axes: (0.5 * size).max(0.06 * distance),
+            corner: Vector3::new(corner.x, corner.y, height),
+        }
     }
 }
 
@@ -94,7 +109,14 @@ fn scene<W: Write>(
     picture: &Picture,
     trace: &VisibleTimeRange,
 ) -> Result<Part, RecordingError> {
-    let contents = ["/world/**".to_owned()];
+    let mut contents = vec!["/world/**".to_owned()];
+    for (body, drawing) in plan.bodies.iter().zip(&picture.bodies) {
+        if drawing.travels {
+            // From so far only the body and its way are seen; the view that goes along has the rest.
+            let entities = BodyEntities::new(&body.name);
+            contents.extend([entities.axes, entities.vectors].map(|hidden| format!("- {hidden}/**")));
+        }
+    }
     let view = blueprint.view(&View { class: "3D", name: &plan.title, origin: "/world", contents: &contents })?;
     let eye = EyeControls3D::new()
         .with_kind(Eye3DKind::Orbital)
@@ -110,7 +132,7 @@ fn scene<W: Write>(
     let grid = LineGrid3D::new()
         .with_visible(true)
         .with_plane(Plane3D::new([0.0, 0.0, 1.0], narrow(floor.height)))
-        .with_spacing(narrow(round_number(floor.size)))
+        .with_spacing(narrow(floor.spacing))
         .with_stroke_width(1.0)
         .with_color(Color::from_unmultiplied_rgba(red, green, blue, opacity));
     blueprint.set(&view.property("LineGrid3D"), &grid)?;
@@ -133,7 +155,7 @@ fn trace_range(cut: Cut) -> VisibleTimeRange {
     VisibleTimeRange(datatypes::VisibleTimeRange { timeline: SIM_TIME.into(), range })
 }
 
-/// The explanation, and the events if there are any.
+/// The explanation, and the events if there are any: beside it where loads begin and end, else behind it.
 fn words<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Part, RecordingError> {
     let contents = ["/about".to_owned()];
     let about = View { class: "TextDocument", name: "What this is", origin: "/about", contents: &contents };
@@ -143,8 +165,12 @@ fn words<W: Write>(blueprint: &mut Blueprint<'_, W>, plan: &Plan) -> Result<Part
     }
     let contents = ["/log".to_owned()];
     let log = blueprint.view(&View { class: "TextLog", name: "Events", origin: "/log", contents: &contents })?;
-    let (parts, shares) = ([about, log], [3.0, 2.0]);
-    blueprint.container(&Container { kind: ContainerKind::Horizontal, name: "", parts: &parts, shares: &shares })
+    let parts = [about, log];
+    if plan.events.iter().any(|event| event.kind == EventKind::Load) {
+        let shares = &[3.0, 2.0];
+        return blueprint.container(&Container { kind: ContainerKind::Horizontal, name: "", parts: &parts, shares });
+    }
+    blueprint.container(&Container { kind: ContainerKind::Tabs, name: "", parts: &parts, shares: &[] })
 }
 
 /// The nearest of 1, 2, 5 × 10ⁿ below.

@@ -6,6 +6,7 @@
 //! * `/world/…`: the picture, f32, at the picture's rate: `body/<name>` with its shape and axes, `vectors/<name>/…`,
 //!   `trail/<name>`, `path/<name>`, `axes`.
 //! * `/poinsot/<name>/…`, `/body_frame/<name>/…`: Poinsot's construction of a body that turns freely, f32, at the same rate.
+//! * `/scaled/…`, `/markers/…`: plots in powers of ten, and events in plots.
 //! * `/about`, `/log`: words. `/scene`, `/provenance`, `/body/<name>`: where it comes from and of what, for programs, too.
 //!
 //! Timelines: `sim_time`, ns from the start of the run, and `step`, the number of the sample.
@@ -16,8 +17,10 @@ mod columns;
 mod file;
 mod identity;
 mod layout;
+mod markers;
 mod messages;
 mod moving;
+mod near_views;
 mod palette;
 mod plain;
 mod plot_views;
@@ -26,6 +29,7 @@ mod poinsot;
 mod poinsot_views;
 mod read;
 mod rolling;
+mod scaled;
 mod source;
 mod statics;
 mod stream;

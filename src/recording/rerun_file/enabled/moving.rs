@@ -5,6 +5,7 @@ use re_sdk_types::archetypes::{Arrows3D, Points3D, Transform3D};
 
 use super::columns::{quaternion, single, timelines};
 use super::rolling::Rolling;
+use super::scaled::Scaled;
 use super::statics::{BodyEntities, LABEL, TIP};
 use super::stream::{Rows, Store, Stream};
 use super::trail::{Cut, Trail};
@@ -37,16 +38,22 @@ struct MovingBody {
     tip: Vector3<f64>,
     has_attitude: bool,
     leaves_path: bool,
+    travels: bool,
     trail: Trail,
     path: Trail,
     rolling: Option<Rolling>,
+    scaled: Option<Scaled>,
 }
 
 impl Moving {
-    pub(super) fn new(plan: &Plan, picture: &Picture) -> Self {
+    pub(super) fn new(plan: &Plan, picture: &Picture, scaled: Vec<Scaled>) -> Self {
         let cut = Cut::new(plan, picture);
         let bodies = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| MovingBody::new(body, drawing, cut));
-        Self { picture: picture.clone(), bodies: bodies.collect(), drawn: Drawn::default() }
+        let mut bodies: Vec<_> = bodies.collect();
+        for (body, scaled) in bodies.iter_mut().zip(scaled) {
+            body.scaled = Some(scaled);
+        }
+        Self { picture: picture.clone(), bodies, drawn: Drawn::default() }
     }
 
     /// Logs the pictures of one batch.
@@ -67,8 +74,12 @@ impl Moving {
         let rows = Rows { count: self.drawn.indices.len(), times: &times };
         for (body, samples) in self.bodies.iter_mut().zip(&samples.bodies) {
             body.write_transform(stream, store, rows, (&self.drawn.indices, samples))?;
+            body.write_along(stream, store, rows, (&self.drawn.indices, samples))?;
             body.write_arrows(stream, store, rows, (&self.drawn.indices, samples))?;
             body.write_traces(stream, store, &self.drawn, samples)?;
+            if let Some(scaled) = &body.scaled {
+                scaled.write(stream, store, rows, (&self.drawn.indices, samples))?;
+            }
             if let Some(rolling) = &mut body.rolling {
                 rolling.write(stream, store, rows, (&self.drawn.indices, samples), self.drawn.when())?;
             }
@@ -106,8 +117,10 @@ impl MovingBody {
             tip: drawing.spin_axis * (drawing.extent * TIP),
             has_attitude: body.channels.contains(&Channel::Attitude),
             leaves_path: body.moves && body.channels.contains(&Channel::Position),
+            travels: drawing.travels,
             trail: Trail::new(entities.trail.clone(), cut),
             path: Trail::new(entities.path.clone(), cut),
+            scaled: None,
             rolling: drawing.poinsot.as_ref().map(|poinsot| Rolling::new(&body.name, poinsot, cut)),
             entities,
         }
@@ -136,6 +149,23 @@ impl MovingBody {
         let transform = Transform3D::update_fields().with_many_quaternion(turns).with_many_translation(places);
         let columns = transform.columns_of_unit_batches().map_err(|error| stream.refused(error))?;
         stream.columns(store, &self.entities.body, rows, columns)
+    }
+
+    /// Where a view that goes along with the body is.
+    fn write_along<W: Write>(
+        &self,
+        stream: &mut Stream<W>,
+        store: Store,
+        rows: Rows<'_>,
+        (indices, samples): Selection<'_>,
+    ) -> Result<(), RecordingError> {
+        if !self.travels {
+            return Ok(());
+        }
+        let places = indices.iter().map(|index| single(&self.position(samples, *index)));
+        let transform = Transform3D::update_fields().with_many_translation(places);
+        let columns = transform.columns_of_unit_batches().map_err(|error| stream.refused(error))?;
+        stream.columns(store, &self.entities.along, rows, columns)
     }
 
     fn write_arrows<W: Write>(

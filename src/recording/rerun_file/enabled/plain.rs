@@ -22,7 +22,7 @@ pub(super) fn write_layout<W: Write>(
     let contents = ["/about".to_owned()];
     let about = View { class: "TextDocument", name: "What this is", origin: "/about", contents: &contents };
     let about = blueprint.view(&about)?;
-    let plots = plot_views::write(&mut blueprint, &subject.heading.bodies, subject.sampling)?;
+    let plots = plot_views::write(&mut blueprint, &subject.heading.bodies, subject.sampling, None)?;
     let parts: Vec<_> = [Some(about), plots].into_iter().flatten().collect();
     let shares = &[2.0, 5.0][..parts.len()];
     let root = Container { kind: ContainerKind::Horizontal, name: "", parts: &parts, shares };

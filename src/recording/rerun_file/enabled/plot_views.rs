@@ -6,6 +6,8 @@ use re_sdk_types::datatypes::{TimeInt, TimeRange, TimeRangeBoundary};
 
 use super::blueprint::{Blueprint, Container, Part, View};
 use super::plots::{ZERO, entity};
+use super::{markers, scaled};
+use crate::recording::picture::Picture;
 use crate::recording::{RecordedBody, RecordingError, Sampling};
 use crate::scenario::nanoseconds;
 use crate::telemetry::Channel;
@@ -32,6 +34,9 @@ const PLOTS: [(&str, &[Channel]); 12] = [
 /// Plots on the screen at once; the rest are tabs of the last.
 const VISIBLE: usize = 4;
 
+/// Room that a legend takes, in units of the run.
+const LEGEND: f64 = 0.17;
+
 /// Bodies that get a plot each; more share one.
 const SEPARATE: usize = 4;
 
@@ -46,8 +51,9 @@ pub(super) fn write<W: Write>(
     blueprint: &mut Blueprint<'_, W>,
     bodies: &[RecordedBody],
     sampling: Sampling,
+    picture: Option<&Picture>,
 ) -> Result<Option<Part>, RecordingError> {
-    let mut plots = PlotViews { blueprint, times: whole_run(sampling) };
+    let mut plots = PlotViews { blueprint, picture, times: whole_run(sampling) };
     let mut parts = Vec::new();
     for (title, channels) in PLOTS {
         parts.extend(plots.quantity(title, channels, bodies)?);
@@ -71,16 +77,26 @@ pub(super) fn shares_plot(channels: &[Channel], bodies: usize) -> bool {
     bodies > 1 && (are_scalars || bodies > SEPARATE)
 }
 
-/// A time axis from the first to the last sample: what the viewer would show is a minute around the cursor.
+/// A time axis from the first to the last sample, and room for the legend after it: what the viewer would show is a
+/// minute around the cursor.
 fn whole_run(sampling: Sampling) -> TimeAxis {
     let at = |time| TimeRangeBoundary::Absolute(TimeInt(nanoseconds(time)));
-    let range = TimeRange { start: at(sampling.from_s), end: at(sampling.to_s) };
+    let (start, end) = (sampling.from_s, sampling.to_s);
+    let range = TimeRange { start: at(start), end: at(end + LEGEND * (end - start)) };
     TimeAxis::new().with_link(LinkAxis::Independent).with_view_range(components::TimeRange(range))
+}
+
+/// A number as an exponent is written.
+fn raised(power: i32) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let letter = |letter: char| letter.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
+    power.to_string().chars().map(letter).collect()
 }
 
 /// Adds plots to a layout.
 struct PlotViews<'a, 'b, W> {
     blueprint: &'a mut Blueprint<'b, W>,
+    picture: Option<&'a Picture>,
     times: TimeAxis,
 }
 
@@ -101,6 +117,7 @@ impl<W: Write> PlotViews<'_, '_, W> {
         if having.is_empty() {
             return Ok(None);
         }
+        let title = &self.counted(title, channels, &having);
         if having.len() == 1 || shares_plot(channels, bodies.len()) {
             return self.view(title, channels, &having).map(Some);
         }
@@ -111,12 +128,29 @@ impl<W: Write> PlotViews<'_, '_, W> {
         self.container(ContainerKind::Vertical, title, &views).map(Some)
     }
 
+    /// The title with the power of ten that the plot counts its unit in.
+    fn counted(&self, title: &str, channels: &[Channel], bodies: &[&RecordedBody]) -> String {
+        let is_recorded = |channel: &&Channel| bodies.iter().any(|body| body.channels.contains(channel));
+        let power = channels.iter().find(is_recorded).map_or(0, |channel| self.power(*channel));
+        if power == 0 { title.to_owned() } else { title.replace('(', &format!("(10{} ", raised(power))) }
+    }
+
+    fn power(&self, channel: Channel) -> i32 {
+        self.picture.map_or(0, |picture| picture.power(channel))
+    }
+
     /// One plot.
     fn view(&mut self, name: &str, channels: &[Channel], bodies: &[&RecordedBody]) -> Result<Part, RecordingError> {
         let mut contents = Vec::new();
         for body in bodies {
             let recorded = channels.iter().filter(|channel| body.channels.contains(channel));
-            contents.extend(recorded.map(|channel| entity(&body.name, *channel)));
+            contents.extend(recorded.map(|channel| match self.power(*channel) {
+                0 => entity(&body.name, *channel),
+                _ => scaled::entity(&body.name, *channel),
+            }));
+            if channels.contains(&Channel::AngularVelocity) {
+                contents.push(format!("{}/**", markers::entities(&body.name)));
+            }
         }
         if channels.contains(&Channel::TotalEnergy) {
             // Alone, a constant energy would fill its plot with rounding errors.

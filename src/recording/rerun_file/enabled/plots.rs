@@ -104,7 +104,7 @@ fn write_zero<W: Write>(stream: &mut Stream<W>, store: Store, sampling: Sampling
 }
 
 /// The curves of a channel: their names (the view's title says the unit) and colours.
-fn curves(channel: Channel, number: usize, bodies: &[RecordedBody]) -> SeriesLines {
+pub(super) fn curves(channel: Channel, number: usize, bodies: &[RecordedBody]) -> SeriesLines {
     let row = channel.row();
     let is_shared = shares_plot(&[channel], bodies.len());
     let owner = if is_shared { bodies[number].name.as_str() } else { "" };

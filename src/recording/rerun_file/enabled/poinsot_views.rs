@@ -36,12 +36,14 @@ pub(super) fn write<W: Write>(
         let Some(poinsot) = &drawing.poinsot else { continue };
         let owner = if plan.bodies.len() > 1 { format!("{}: ", body.name) } else { String::new() };
         let entities = PoinsotEntities::new(&body.name);
-        let view = new_view(blueprint, &format!("{owner}Poinsot"), &entities.rolling)?;
+        let all = |origin: &str| [format!("{origin}/**")];
+        let view = new_view(blueprint, &format!("{owner}Poinsot"), &entities.rolling, &all(&entities.rolling))?;
         roll(blueprint, &view, (poinsot, distance))?;
         let range = VisibleTimeRanges::new([trace.clone()]);
         blueprint.set(&view.overridden(&entities.herpolhode), &range)?;
         rolling.push(view);
-        let view = new_view(blueprint, &format!("{owner}L in the body"), &entities.body_frame)?;
+        let name = format!("{owner}L in the body");
+        let view = new_view(blueprint, &name, &entities.body_frame, &all(&entities.body_frame))?;
         stand(blueprint, &view, distance * poinsot.axis_length())?;
         body_frame.push(view);
     }
@@ -85,16 +87,28 @@ fn stand<W: Write>(blueprint: &mut Blueprint<'_, W>, view: &Part, distance: f64)
     blueprint.set(&view.property("LineGrid3D"), &LineGrid3D::new().with_visible(false))
 }
 
-fn new_view<W: Write>(blueprint: &mut Blueprint<'_, W>, name: &str, origin: &str) -> Result<Part, RecordingError> {
-    let contents = [format!("{origin}/**")];
-    let view = blueprint.view(&View { class: "3D", name, origin, contents: &contents })?;
+/// A 3D view of `contents`, seen from where `origin` is.
+///
+/// # Errors
+/// If it cannot be written.
+pub(super) fn new_view<W: Write>(
+    blueprint: &mut Blueprint<'_, W>,
+    name: &str,
+    origin: &str,
+    contents: &[String],
+) -> Result<Part, RecordingError> {
+    let view = blueprint.view(&View { class: "3D", name, origin, contents })?;
     let [red, green, blue] = palette::BACKGROUND;
     let background = Background::new(BackgroundKind::SolidColor).with_color(Color::from_rgb(red, green, blue));
     blueprint.set(&view.property("Background"), &background)?;
     Ok(view)
 }
 
-fn look<W: Write>(
+/// Sets the camera: where it stands and what it looks at, and which way is up.
+///
+/// # Errors
+/// If it cannot be written.
+pub(super) fn look<W: Write>(
     blueprint: &mut Blueprint<'_, W>,
     view: &Part,
     (eye, target): (Vector3<f64>, Vector3<f64>),

@@ -21,19 +21,25 @@ pub(super) const TIP: f64 = 1.3;
 /// Where an arrow's label is, in units of its length.
 pub(super) const LABEL: f64 = 1.08;
 
-/// Radius of a vector's arrow, in units of the body's extent.
+/// Radius of a vector's arrow, in units of the largest body's extent.
 const ARROW: f64 = 0.02;
+
+/// How much thicker ω is than the other vectors: where L lies along it, it shows as a sheath.
+const SHEATH: f64 = 1.5;
 
 /// Radius of an axis' arrow, in units of the body's extent.
 const AXIS: f64 = 0.011;
 
 /// Where a body's parts are logged. All bodies have a folder of their own: no body's name can meet another entity's.
 pub(super) struct BodyEntities {
-    name: String,
     /// Attitude and position; its children turn with it.
     pub(super) body: String,
     /// Its axes.
-    axes: String,
+    pub(super) axes: String,
+    /// Moves with the reference point and does not turn.
+    pub(super) along: String,
+    /// All vectors.
+    pub(super) vectors: String,
     /// Of the spin axis' tip.
     pub(super) trail: String,
     /// Of the reference point.
@@ -43,9 +49,10 @@ pub(super) struct BodyEntities {
 impl BodyEntities {
     pub(super) fn new(name: &str) -> Self {
         Self {
-            name: name.to_owned(),
             body: format!("/world/body/{name}"),
             axes: format!("/world/body/{name}/axes"),
+            along: format!("/world/along/{name}"),
+            vectors: format!("/world/vectors/{name}"),
             trail: format!("/world/trail/{name}"),
             path: format!("/world/path/{name}"),
         }
@@ -54,7 +61,7 @@ impl BodyEntities {
     /// Of a vector, in world axes.
     pub(super) fn arrow(&self, quantity: Quantity) -> String {
         let (_, _, word) = quantity.words();
-        format!("/world/vectors/{}/{word}", self.name)
+        format!("{}/{word}", self.vectors)
     }
 }
 
@@ -71,7 +78,7 @@ pub(super) fn write<W: Write>(
     stream.once(store, "/__properties", &[], &RecordingInfo::new().with_name(plan.title.as_str()))?;
     stream.once(store, "/world", &[], &ViewCoordinates::RIGHT_HAND_Z_UP())?;
     let floor = Floor::of(plan, picture);
-    let (length, radius) = (floor.size * 0.5, floor.size * AXIS);
+    let (length, radius) = (floor.axes, floor.axes * 2.0 * AXIS);
     let world = Axes { origin: floor.corner, length, radius, colours: [palette::WORLD; 3] };
     world.write(stream, store, "/world/axes")?;
     world.write_names(stream, store, "/world/axes")?;
@@ -92,11 +99,10 @@ pub(super) fn write<W: Write>(
         }
         for arrow in &drawing.arrows {
             let entity = entities.arrow(arrow.quantity);
-            // Several bodies' scales would cover each other; they stand in the text.
+            // Scales would cover each other where arrows are near; they stand in the text.
             let (symbol, ..) = arrow.quantity.words();
-            let label = if plan.bodies.len() > 1 { symbol } else { arrow.label.as_str() };
-            stream.once(store, &entity, &[], &arrow_style(arrow, drawing.extent))?;
-            stream.once(store, &entity, &[], &label_style([label], [arrow.colour]))?;
+            stream.once(store, &entity, &[], &arrow_style(arrow, picture.size))?;
+            stream.once(store, &entity, &[], &label_style([symbol], [arrow.colour]))?;
         }
     }
     Ok(())
@@ -172,8 +178,9 @@ impl Axes {
     }
 }
 
-fn arrow_style(arrow: &Arrow, extent: f64) -> Arrows3D {
-    Arrows3D::update_fields().with_radii([scene(extent * ARROW)]).with_colors([palette::opaque(arrow.colour)])
+fn arrow_style(arrow: &Arrow, size: f64) -> Arrows3D {
+    let thicker = if arrow.quantity == Quantity::AngularVelocity { SHEATH } else { 1.0 };
+    Arrows3D::update_fields().with_radii([scene(size * ARROW * thicker)]).with_colors([palette::opaque(arrow.colour)])
 }
 
 /// Points too small to see, with words at them. An arrow's own label is at its middle, inside the body.
