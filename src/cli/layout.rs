@@ -8,8 +8,10 @@ use crate::scenario::{Plan, PlannedBody};
 use crate::telemetry::Channel;
 
 /// Channels that share a plot, and its title.
-const PLOTS: [(&str, &[Channel]); 4] = [
+const PLOTS: [(&str, &[Channel]); 6] = [
     ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
+    ("tilt (rad)", &[Channel::Tilt]),
+    ("precession rate (rad/s)", &[Channel::PrecessionRate]),
     ("L in world axes (N m s)", &[Channel::AngularMomentumWorld]),
     (
         "energy (J)",
@@ -86,6 +88,22 @@ fn scene(plan: &Plan, picture: &Picture) -> Value {
         "foxglovePanelTitle": plan.title,
         "lichtblickPanelTitle": plan.title,
         "scene": { "backgroundColor": "#15171b", "transforms": { "showLabel": false, "axisScale": 0 } },
+        "layers": {
+            "floor": {
+                "layerId": "foxglove.Grid",
+                "instanceId": "floor",
+                "label": "Floor",
+                "visible": true,
+                "frameLocked": true,
+                "frameId": "world",
+                "size": 4.0 * distance,
+                "divisions": 40,
+                "lineWidth": 1,
+                "color": "#8c96a032",
+                "position": [picture.target.x, picture.target.y, picture.floor],
+                "rotation": [0, 0, 0],
+            },
+        },
         "topics": { "/scene": { "visible": true }, "/scene/surfaces": { "visible": true } },
     })
 }

@@ -19,4 +19,5 @@ pub use invariants::{jacobi_integral, momentum_in_world, potential_energy, rotat
 pub use laws::{EnergyLaw, MomentumLaw};
 pub use problem::Problem;
 pub use schedule::{Schedule, Span};
+pub(crate) use torque::radial_direction;
 pub use torque::{Load, Torque, TorqueModel, Window};

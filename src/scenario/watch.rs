@@ -58,7 +58,10 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
         | Channel::EnergyDrift
         | Channel::PotentialEnergy
         | Channel::MomentBody
-        | Channel::ForceWorld => !problem.loads.is_empty(),
+        | Channel::ForceWorld
+        // Of a body that nothing acts on, the direction of L in the body is that of Iω.
+        | Channel::Tilt
+        | Channel::PrecessionRate => !problem.loads.is_empty(),
         Channel::Attitude
         | Channel::AngularVelocityWorld
         | Channel::AngularMomentumWorld

@@ -36,6 +36,10 @@ pub enum Channel {
     /// How far the energy ellipsoid is from rolling on the invariable plane without slipping, relative, in 1e-15: the
     /// speed of the body's point that touches the plane, in units of |ω| times its distance from the centre.
     Slip,
+    /// Angle between the body's axis and what it leans from, as [`FigureAxis`](super::FigureAxis) says, 0 to π.
+    Tilt,
+    /// Rate at which the same axis goes round the same reference; 0 where it lies along it.
+    PrecessionRate,
 }
 
 /// One row of the table of channels.
@@ -68,7 +72,7 @@ const SCALAR: &[&str] = &[""];
 
 impl Channel {
     /// Every channel, in the order in which recordings hold them.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Attitude,
         Self::AngularVelocity,
         Self::AngularVelocityWorld,
@@ -86,6 +90,8 @@ impl Channel {
         Self::EnergyDrift,
         Self::MomentumDrift,
         Self::Slip,
+        Self::Tilt,
+        Self::PrecessionRate,
     ];
 
     /// Name, title, unit and components.
@@ -109,6 +115,8 @@ impl Channel {
             Self::EnergyDrift => ("energy_drift", "energy drift", "1e-15", "per_1e15", SCALAR),
             Self::MomentumDrift => ("momentum_drift", "momentum drift", "1e-15", "per_1e15", SCALAR),
             Self::Slip => ("slip", "slip of the energy ellipsoid on the invariable plane", "1e-15", "per_1e15", SCALAR),
+            Self::Tilt => ("tilt", "tilt of the axis", "rad", "rad", SCALAR),
+            Self::PrecessionRate => ("precession_rate", "precession rate of the axis", "rad/s", "rad_s", SCALAR),
         };
         Row { name, title, unit, unit_suffix, components }
     }

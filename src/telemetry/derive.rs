@@ -1,6 +1,6 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::{BodySamples, Channel};
+use super::{BodySamples, Channel, FigureAxis};
 use crate::body::{AngularVelocity, Attitude, State};
 use crate::dynamics::{MomentumLaw, Problem, momentum_in_world, translational_energy};
 use crate::propagation::States;
@@ -12,6 +12,7 @@ pub struct Derivation {
     /// `None` where principal axes are body axes: then nothing is turned.
     body_from_principal: Option<UnitQuaternion<f64>>,
     momentum_law: Option<MomentumLaw>,
+    figure: Option<FigureAxis>,
     initial_energy: f64,
     initial_energy_scale: f64,
     initial_momentum: Vector3<f64>,
@@ -25,6 +26,7 @@ impl Derivation {
         Self {
             body_from_principal: (body_from_principal != UnitQuaternion::identity()).then_some(body_from_principal),
             momentum_law: problem.momentum_law(),
+            figure: FigureAxis::of(problem),
             initial_energy,
             initial_energy_scale,
             initial_momentum: momentum_in_world(problem.moments, &problem.initial),
@@ -105,6 +107,10 @@ impl Derivation {
             Channel::EnergyDrift => scalar(self.energy_drift(time, state)),
             Channel::MomentumDrift => scalar(self.momentum_drift(time, state)),
             Channel::Slip => scalar(self.slip(state)),
+            Channel::Tilt => scalar(self.figure.map_or(0.0, |figure| figure.tilt(problem, time, state))),
+            Channel::PrecessionRate => {
+                scalar(self.figure.map_or(0.0, |figure| figure.precession_rate(problem, time, state)))
+            }
             Channel::Attitude | Channel::RotationalEnergy => Vector3::zeros(),
         }
     }

@@ -2,8 +2,10 @@
 
 mod channel;
 mod derive;
+mod figure;
 mod samples;
 
 pub use channel::{Channel, Row};
 pub use derive::Derivation;
+pub use figure::FigureAxis;
 pub use samples::{BodySamples, Samples};

@@ -180,6 +180,17 @@ fn inspect_shows_what_run_wrote() {
 }
 
 #[test]
+fn recordings_say_what_the_checks_have_found() {
+    let folder = folder_with(&format!("{SCENE}{}", CHECK.replace("EXPECTED", "3.0")));
+    assert_eq!(polhode(folder.path(), &["run", "scene.toml"]).status.code(), Some(0));
+    for name in ["recordings/scene.mcap", "recordings/scene.rrd"] {
+        let told = stdout(&polhode(folder.path(), &["inspect", name]));
+        let finding = "angular_velocity z at 1 s 3 rad/s, expected 3 ± 1e-12: passed";
+        assert!(told.contains("check.001") && told.contains(finding), "{name}: {told}");
+    }
+}
+
+#[test]
 fn list_names_every_scene() {
     let output = polhode(Path::new("."), &["list", "--json"]);
     let scenes: Value = serde_json::from_slice(&output.stdout).expect("stdout is JSON");

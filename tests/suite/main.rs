@@ -51,4 +51,6 @@ mod same_motion;
 mod scenarios;
 mod torque_laws;
 mod trajectories;
+#[cfg(feature = "serde")]
+mod views;
 mod work_precision;

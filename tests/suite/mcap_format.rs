@@ -54,6 +54,10 @@ struct BodyState {
     momentum_drift: Option<f64>,
     #[prost(double, optional, tag = "19")]
     slip: Option<f64>,
+    #[prost(double, optional, tag = "20")]
+    tilt: Option<f64>,
+    #[prost(double, optional, tag = "21")]
+    precession_rate: Option<f64>,
 }
 
 #[derive(Clone, Copy, PartialEq, Message)]
@@ -106,6 +110,8 @@ impl BodyState {
             energy_drift: scalar(Channel::EnergyDrift),
             momentum_drift: scalar(Channel::MomentumDrift),
             slip: scalar(Channel::Slip),
+            tilt: scalar(Channel::Tilt),
+            precession_rate: scalar(Channel::PrecessionRate),
         }
     }
 
@@ -131,6 +137,8 @@ impl BodyState {
             self.energy_drift,
             self.momentum_drift,
             self.slip,
+            self.tilt,
+            self.precession_rate,
         ];
         let numbers = tuples.into_iter().flatten().flat_map(|n| [n.first, n.second, n.third, n.fourth]);
         numbers.chain(scalars).flatten().map(f64::to_bits).collect()

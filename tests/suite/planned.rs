@@ -95,7 +95,7 @@ pub fn picture(plan: &Plan) -> Picture {
         arrows: quantities.into_iter().filter(|quantity| quantity.is_recorded(&body.channels)).map(arrow).collect(),
         spin_axis: Vector3::z(),
         position: Vector3::new(0.0, 0.0, 1.5),
-        travels: true,
+        travels: body.channels.contains(&Channel::Position),
         poinsot: Poinsot::of(body),
     };
     Picture {
@@ -104,6 +104,7 @@ pub fn picture(plan: &Plan) -> Picture {
         last: plan.grid.len() - 1,
         eye: Vector3::new(3.0, 0.0, 1.0),
         target: Vector3::zeros(),
+        floor: 0.0,
         size: 1.0,
         bodies: plan.bodies.iter().map(body).collect(),
         powers: vec![(Channel::TotalEnergy, -3)],

@@ -27,6 +27,9 @@ pub struct Picture {
     pub eye: Vector3<f64>,
     /// What it looks at, world axes, m.
     pub target: Vector3<f64>,
+    /// z of the ground, so that the eye knows up from down, m: below every body, and at the tip of one that stands on a
+    /// pivot.
+    pub floor: f64,
     /// Extent of the largest body, m: arrows and axes are as large at every body.
     pub size: f64,
     /// The bodies, in the plan's order.

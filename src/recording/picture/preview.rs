@@ -71,8 +71,17 @@ impl Picture {
         let stride = pace::stride(plan.grid.mean_interval(), playback_speed, fastest);
         let sizes: Vec<_> = looks.iter().flat_map(|look| look.sizes.iter().copied()).collect();
         let powers = powers::choose(&sizes);
-        Ok(Self { stride, playback_speed, last, eye, target, size, bodies, powers })
+        let floor = floor(plan, &looks);
+        Ok(Self { stride, playback_speed, last, eye, target, floor, size, bodies, powers })
     }
+}
+
+fn floor(plan: &Plan, looks: &[Look]) -> f64 {
+    let bottoms = plan.bodies.iter().zip(looks).map(|(body, look)| {
+        let depth = if body.is_pivoted { 0.0 } else { 1.5 * look.extent };
+        body.problem.initial.position.z - depth
+    });
+    bottoms.reduce(f64::min).unwrap_or(0.0)
 }
 
 fn look(body: &PlannedBody, times: &[f64]) -> Result<Look, PropagationError> {
@@ -127,7 +136,7 @@ fn draw(body: &PlannedBody, look: &Look, scales: &[Option<(String, f64)>; 4], co
         arrows: arrows.filter_map(arrow).collect(),
         spin_axis: spin_axis(body),
         position: body.problem.initial.position,
-        travels: (look.highest - look.lowest).norm() > FAR * look.extent,
+        travels: body.channels.contains(&Channel::Position) && (look.highest - look.lowest).norm() > FAR * look.extent,
         poinsot: Poinsot::of(body),
     }
 }

@@ -1,7 +1,7 @@
 use crate::dynamics::{Problem, Torque};
 use crate::scenario::near_miss::nearest;
 use crate::scenario::{Key, Refusal, Scenario};
-use crate::telemetry::Channel;
+use crate::telemetry::{Channel, FigureAxis};
 
 /// What is recorded of one body: what was asked for, or what the scene makes interesting; in the order of
 /// [`Channel::ALL`].
@@ -37,7 +37,7 @@ pub fn named(key: &Key, name: &str) -> Result<Channel, Refusal> {
     })
 }
 
-/// Why a drift cannot be told: nothing is conserved.
+/// Why a channel cannot be told: nothing is conserved, or nothing leans.
 pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> {
     match channel {
         Channel::EnergyDrift if problem.energy_law().is_none() => {
@@ -49,8 +49,19 @@ pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> 
         Channel::Slip if !rolls(problem) => {
             Some("has no meaning here: only a body that turns without loads rolls on the invariable plane")
         }
+        Channel::Tilt if FigureAxis::of(problem).is_none() => Some(
+            "has no meaning here: the body has no axis of symmetry that leans from L, from the vertical or in an orbit",
+        ),
+        Channel::PrecessionRate if !precesses(problem) => {
+            Some("has no meaning here: the body has no axis of symmetry that goes round L or the vertical")
+        }
         _ => None,
     }
+}
+
+/// Whether the body has an axis that goes round something that stands still.
+fn precesses(problem: &Problem) -> bool {
+    FigureAxis::of(problem).is_some_and(|figure| figure.precesses())
 }
 
 /// Whether Poinsot's construction describes the motion.
@@ -79,6 +90,8 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         Channel::EnergyDrift => conserves,
         Channel::MomentumDrift => problem.momentum_law().is_some(),
         Channel::Slip => rolls(problem),
+        Channel::Tilt => FigureAxis::of(problem).is_some(),
+        Channel::PrecessionRate => precesses(problem),
         Channel::AngularVelocityWorld | Channel::AngularMomentumBody | Channel::MomentWorld => false,
     };
     Channel::ALL.into_iter().filter(is_interesting).collect()

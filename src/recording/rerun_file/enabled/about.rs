@@ -37,14 +37,15 @@ pub(super) fn events(plan: &Plan) -> TextLog {
     TextLog::update_fields().with_many_text(texts).with_many_level(levels)
 }
 
-/// How far the motion is to be believed, in a line for each body, and one for the checks.
+/// How far the motion is to be believed: a line for the error, one for the checks.
 fn exactness(plan: &Plan) -> String {
     let mut text = String::new();
-    for body in &plan.bodies {
-        let owner = if plan.bodies.len() > 1 { format!(" ({})", body.name) } else { String::new() };
-        if let Some(certificate) = &body.certificate {
-            let _ = writeln!(text, "- **Exact**{owner}: {}", measured(certificate));
-        }
+    let certified: Vec<_> = plan.bodies.iter().filter_map(|body| body.certificate.as_ref()).collect();
+    let error = |certificate: &Certificate| certificate.attitude_rad.unwrap_or(certificate.angular_velocity_relative);
+    let worst = certified.iter().max_by(|a, b| error(a).total_cmp(&error(b)));
+    if let Some(worst) = worst.filter(|_| certified.len() == plan.bodies.len()) {
+        let owner = if certified.len() > 1 { "of the worst body " } else { "" };
+        let _ = writeln!(text, "- **Exact**: {owner}{}", measured(worst));
     }
     let passed = plan.outcomes.iter().filter(|outcome| outcome.passed).count();
     match plan.outcomes.len() {
@@ -79,9 +80,9 @@ fn measured(certificate: &Certificate) -> String {
     );
     match certificate.attitude_rad {
         Some(error) if error > 0.0 => {
-            let far = number(scale::round_down(HAIR / error / 1e3));
+            let far = kilometres(HAIR / error);
             format!(
-                "the attitude is at most {error:.0e} rad off {reach}, the angle of a hair's breadth seen from {far} km; {by}"
+                "the attitude is at most {error:.0e} rad off {reach}, the angle of a hair's breadth seen from {far}; {by}"
             )
         }
         Some(_) => format!("the attitude is off by nothing that could be measured {reach}; {by}"),
@@ -90,6 +91,12 @@ fn measured(certificate: &Certificate) -> String {
             format!("the angular velocity is at most {error:.0e} of its size off {reach}; {by}")
         }
     }
+}
+
+/// A round distance, as people say it.
+fn kilometres(metres: f64) -> String {
+    let round = scale::round_down(metres / 1e3);
+    if round < 1e6 { format!("{} km", number(round)) } else { format!("{} million km", number(round / 1e6)) }
 }
 
 /// What the colours and lengths mean.

@@ -40,7 +40,7 @@ pub(super) struct View<'a> {
     pub(super) class: &'static str,
     pub(super) name: &'a str,
     pub(super) origin: &'a str,
-    /// Entities, as queries: `/body/a/plots/energy`, `$origin/**`.
+    /// Entities, as queries: `/body/a/plots/energy`, `$origin/**`, `- /world/axes/**` for what is left out.
     pub(super) contents: &'a [String],
 }
 
@@ -85,7 +85,9 @@ impl<'a, W: Write> Blueprint<'a, W> {
     /// If it cannot be written.
     pub(super) fn view(&mut self, view: &View<'_>) -> Result<Part, RecordingError> {
         let part = self.part("view");
-        let queries = view.contents.iter().map(|query| QueryExpression::from(format!("+ {query}")));
+        let queries = view.contents.iter().map(|query| {
+            QueryExpression::from(if query.starts_with('-') { query.clone() } else { format!("+ {query}") })
+        });
         self.set(&part.property("ViewContents"), &ViewContents::new(queries))?;
         let archetype =
             ViewBlueprint::new(ViewClass::from(view.class)).with_display_name(view.name).with_space_origin(view.origin);

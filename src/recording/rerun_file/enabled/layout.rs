@@ -62,37 +62,28 @@ pub(super) fn write<W: Write>(
 
 /// The ground that the picture stands on, so that the eye knows up from down.
 pub(super) struct Floor {
-    /// z, m: below every body, and at the tip of one that stands on a pivot.
-    pub(super) height: f64,
+    /// z, m.
+    height: f64,
     /// Between the lines of its grid, m.
     spacing: f64,
     /// Length of the world's axes, m.
     pub(super) axes: f64,
-    /// Where the world's axes are drawn: beside the bodies, on the left, m.
+    /// Where the world's axes are drawn: on the left of a body, before the middle of a row, m.
     pub(super) corner: Vector3<f64>,
 }
 
 impl Floor {
     pub(super) fn of(plan: &Plan, picture: &Picture) -> Self {
         let size = picture.size;
-        let bottoms = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| {
-            let depth = if body.is_pivoted { 0.0 } else { 1.5 * drawing.extent };
-            drawing.position.z - depth
-        });
-        let height = bottoms.reduce(f64::min).unwrap_or(0.0);
+        let height = picture.floor;
         let view = picture.target - picture.eye;
         let ahead = Vector3::new(view.x, view.y, 0.0).try_normalize(0.0).unwrap_or_else(Vector3::x);
         let left = Vector3::z().cross(&ahead);
         let distances = picture.bodies.iter().map(|drawing| (drawing.position - picture.target).xy().norm());
         let spread = distances.fold(0.0, f64::max);
-        // Of a row, the nearest body stands at the left: the axes are beside and before it.
-        let (aside, ahead) = if plan.bodies.len() > 1 {
-            (2.3 * size, ahead * (-1.2 * size))
-        } else {
-            (1.9 * size, ahead * (0.2 * size))
-        };
-        let corner = picture.target + left * (spread + aside) + ahead;
         let distance = view.norm();
+        let beside = left * (spread + 1.9 * size) + ahead * (0.2 * size);
+        let corner = picture.target + if plan.bodies.len() > 1 { ahead * (-0.42 * distance) } else { beside };
         Self {
             height,
             spacing: round_number(size.max(0.08 * distance)),

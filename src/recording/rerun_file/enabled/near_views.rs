@@ -12,7 +12,7 @@ use crate::recording::picture::Picture;
 use crate::scenario::Plan;
 
 /// How far the camera is from the body, in its extents.
-const DISTANCE: f64 = 5.5;
+const DISTANCE: f64 = 4.6;
 
 /// For bodies that travel far a view that goes along with the reference point and does not turn; no part for others.
 ///

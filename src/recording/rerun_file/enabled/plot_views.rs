@@ -13,8 +13,10 @@ use crate::scenario::nanoseconds;
 use crate::telemetry::Channel;
 
 /// Channels that share a plot, and its title: what people look at first comes first. Never a drift beside its quantity.
-const PLOTS: [(&str, &[Channel]); 12] = [
+const PLOTS: [(&str, &[Channel]); 14] = [
     ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
+    ("tilt (rad)", &[Channel::Tilt]),
+    ("precession rate (rad/s)", &[Channel::PrecessionRate]),
     ("L in world axes (N m s)", &[Channel::AngularMomentumWorld]),
     ("τ in body axes (N m)", &[Channel::MomentBody]),
     (
@@ -30,6 +32,9 @@ const PLOTS: [(&str, &[Channel]); 12] = [
     ("τ in world axes (N m)", &[Channel::MomentWorld]),
     ("attitude quaternion, world from body", &[Channel::Attitude]),
 ];
+
+/// How tops lean and go round: of several bodies one tab, the first, as they differ in nothing else.
+const LEANING: [Channel; 2] = [Channel::Tilt, Channel::PrecessionRate];
 
 /// Plots on the screen at once; the rest are tabs of the last.
 const VISIBLE: usize = 4;
@@ -55,8 +60,15 @@ pub(super) fn write<W: Write>(
 ) -> Result<Option<Part>, RecordingError> {
     let mut plots = PlotViews { blueprint, picture, times: whole_run(sampling) };
     let mut parts = Vec::new();
+    let leaning = if bodies.len() > 1 { plots.leaning(bodies)? } else { None };
     for (title, channels) in PLOTS {
-        parts.extend(plots.quantity(title, channels, bodies)?);
+        let is_leaning = LEANING.iter().any(|channel| channels.contains(channel));
+        if !(is_leaning && leaning.is_some()) {
+            parts.extend(plots.quantity(title, channels, bodies)?);
+        }
+    }
+    if let Some(leaning) = leaning {
+        parts.insert(0, leaning);
     }
     if parts.len() <= 1 {
         return Ok(parts.pop());
@@ -128,6 +140,18 @@ impl<W: Write> PlotViews<'_, '_, W> {
         self.container(ContainerKind::Vertical, title, &views).map(Some)
     }
 
+    /// How several bodies lean and go round, or `None` if none does.
+    fn leaning(&mut self, bodies: &[RecordedBody]) -> Result<Option<Part>, RecordingError> {
+        let mut views = Vec::new();
+        for (title, channels) in PLOTS.iter().filter(|(_, channels)| LEANING.contains(&channels[0])) {
+            views.extend(self.quantity(title, channels, bodies)?);
+        }
+        match views.len() {
+            0 | 1 => Ok(views.pop()),
+            _ => self.container(ContainerKind::Vertical, "tilt and precession", &views).map(Some),
+        }
+    }
+
     /// The title with the power of ten that the plot counts its unit in.
     fn counted(&self, title: &str, channels: &[Channel], bodies: &[&RecordedBody]) -> String {
         let is_recorded = |channel: &&Channel| bodies.iter().any(|body| body.channels.contains(channel));
@@ -152,8 +176,8 @@ impl<W: Write> PlotViews<'_, '_, W> {
                 contents.push(format!("{}/**", markers::entities(&body.name)));
             }
         }
-        if channels.contains(&Channel::TotalEnergy) {
-            // Alone, a constant energy would fill its plot with rounding errors.
+        if channels.contains(&Channel::TotalEnergy) || LEANING.contains(&channels[0]) {
+            // Alone, a constant would fill its plot with rounding errors.
             contents.push(ZERO.to_owned());
         }
         let view = View { class: "TimeSeries", name, origin: "/", contents: &contents };

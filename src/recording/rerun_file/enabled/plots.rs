@@ -109,7 +109,9 @@ pub(super) fn curves(channel: Channel, number: usize, bodies: &[RecordedBody]) -
     let is_shared = shares_plot(&[channel], bodies.len());
     let owner = if is_shared { bodies[number].name.as_str() } else { "" };
     let names = row.components.iter().map(|component| {
-        let parts = [owner, symbol(channel), component];
+        // Of several bodies, how they lean is in one plot and nothing else: the names tell them apart.
+        let is_told = is_shared && matches!(channel, Channel::Tilt | Channel::PrecessionRate);
+        let parts = [owner, if is_told { "" } else { symbol(channel) }, component];
         let words: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
         Name::from(words.join(" "))
     });
@@ -148,6 +150,8 @@ fn symbol(channel: Channel) -> &'static str {
         Channel::EnergyDrift => "energy",
         Channel::MomentumDrift => "momentum",
         Channel::Slip => "slip",
+        Channel::Tilt => "tilt",
+        Channel::PrecessionRate => "precession",
     }
 }
 
@@ -158,7 +162,7 @@ fn colours(channel: Channel) -> &'static [[u8; 3]] {
         Channel::RotationalEnergy | Channel::EnergyDrift => &[palette::X],
         Channel::TranslationalEnergy | Channel::Slip => &[palette::Y],
         Channel::PotentialEnergy | Channel::MomentumDrift => &[palette::Z],
-        Channel::TotalEnergy => &[palette::W],
+        Channel::TotalEnergy | Channel::Tilt | Channel::PrecessionRate => &[palette::W],
         _ => &[palette::X, palette::Y, palette::Z],
     }
 }

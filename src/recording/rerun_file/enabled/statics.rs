@@ -88,7 +88,8 @@ pub(super) fn write<W: Write>(
     for (body, drawing) in plan.bodies.iter().zip(&picture.bodies) {
         let entities = BodyEntities::new(&body.name);
         if body.channels.contains(&Channel::Attitude) {
-            write_body(stream, store, (body, drawing), &entities)?;
+            let distance = (picture.eye - picture.target).norm();
+            write_body(stream, store, (body, drawing), (&entities, distance))?;
             // Of several bodies, the colours say which axis is which.
             if plan.bodies.len() == 1 {
                 body_axes(drawing).write_names(stream, store, &entities.axes)?;
@@ -112,7 +113,7 @@ fn write_body<W: Write>(
     stream: &mut Stream<W>,
     store: Store,
     (body, drawing): (&PlannedBody, &BodyPicture),
-    entities: &BodyEntities,
+    (entities, distance): (&BodyEntities, f64),
 ) -> Result<(), RecordingError> {
     for (number, surface) in body.surfaces.iter().enumerate() {
         let mesh = Mesh3D::new(surface.vertices.iter().copied())
@@ -122,7 +123,8 @@ fn write_body<W: Write>(
         stream.once(store, &format!("{}/shape/{number}", entities.body), &[], &mesh)?;
     }
     body_axes(drawing).write(stream, store, &entities.axes)?;
-    let width = drawing.extent * 0.006;
+    // No thinner than a camera so far away can see.
+    let width = (drawing.extent * 0.006).max(distance * 0.0012);
     stream.once(store, &entities.trail, &[], &line_style(palette::TRAIL, width))?;
     stream.once(store, &entities.path, &[], &line_style(palette::PATH, width))
 }
