@@ -127,6 +127,22 @@ fn what_carries_its_scene_is_converted_to_the_bytes_of_a_run() {
     }
 }
 
+#[cfg(all(feature = "mcap", feature = "rerun"))]
+#[test]
+fn every_scene_converts_to_the_bytes_of_its_run() {
+    for name in polhode::scenario::library::names() {
+        let folder = tempdir().expect("a folder");
+        let plan = Plan::new(&Scenario::named(name, &[]).expect("a scene")).expect("a plan");
+        let recorded = run(&plan, folder.path());
+        for (from, to) in [(0, 1), (1, 0)] {
+            let converted = format!("converted.{}", extension(&recorded[to]));
+            let (conversion, path) = convert(&recorded[from], folder.path(), &converted);
+            assert_eq!(conversion.remark(), None, "{name}");
+            assert!(fs::read(&path).expect("there") == fs::read(&recorded[to]).expect("there"), "{name}: {converted}");
+        }
+    }
+}
+
 #[test]
 fn listed_times_are_kept() {
     let folder = tempdir().expect("a folder");
