@@ -36,32 +36,82 @@ impl Derivation {
 
     /// Fills the columns of `samples` from `states` at `times`.
     pub fn derive(&self, times: &[f64], states: &States, samples: &mut BodySamples) {
+        let batch = Batch { times, states, initial: &self.problem.initial };
         for channel in Channel::ALL {
             let Some(columns) = samples.channel_mut(channel) else { continue };
-            match channel {
-                Channel::Attitude => self.attitude(states, columns),
-                Channel::AngularVelocity if self.body_from_principal.is_none() => {
-                    copy(&states.angular_velocity, columns);
-                }
-                Channel::RotationalEnergy => self.rotational_energy(states, columns),
-                Channel::Position if !states.position[0].is_empty() => copy(&states.position, columns),
-                Channel::Velocity if !states.velocity[0].is_empty() => copy(&states.velocity, columns),
-                _ => self.state_by_state(channel, times, states, columns),
+            // Out of the samples meanwhile: some channels are made of others, or along with them.
+            let mut columns: Vec<_> = columns.iter_mut().map(std::mem::take).collect();
+            self.fill(channel, &batch, samples, &mut columns);
+            for (place, column) in samples.channel_mut(channel).into_iter().flatten().zip(columns) {
+                *place = column;
             }
         }
     }
 
-    fn attitude(&self, states: &States, columns: &mut [Vec<f64>]) {
+    /// Each channel in a loop of its own, which takes of a state no more than it needs.
+    fn fill(&self, channel: Channel, batch: &Batch<'_>, samples: &mut BodySamples, columns: &mut [Vec<f64>]) {
+        let (problem, states) = (&self.problem, batch.states);
+        let to_body = |in_principal| self.body_from_principal.map_or(in_principal, |turn| turn * in_principal);
+        let moment = |time, state: &State| problem.moment(time, state);
+        match channel {
+            Channel::Attitude => self.attitude(batch, columns),
+            Channel::AngularVelocity if self.body_from_principal.is_none() => copy(&states.angular_velocity, columns),
+            Channel::AngularVelocity => batch.vectors(columns, |_, state| to_body(state.angular_velocity.in_body())),
+            Channel::AngularVelocityWorld => {
+                batch.vectors(columns, |_, state| state.attitude.to_world(&state.angular_velocity.in_body()));
+            }
+            Channel::AngularMomentumWorld => {
+                batch.vectors(columns, |_, state| momentum_in_world(problem.moments, state));
+            }
+            Channel::AngularMomentumBody => {
+                let momentum = |state: &State| state.angular_velocity.momentum(problem.moments).in_body();
+                batch.vectors(columns, |_, state| to_body(momentum(state)));
+            }
+            Channel::MomentBody => batch.vectors(columns, |time, state| to_body(moment(time, state))),
+            Channel::MomentWorld => {
+                batch.vectors(columns, |time, state| state.attitude.to_world(&moment(time, state)));
+            }
+            Channel::ForceWorld => batch.vectors(columns, |time, state| problem.force(time, state)),
+            Channel::Position => batch.vectors(columns, |_, state| state.position),
+            Channel::Velocity => batch.vectors(columns, |_, state| state.velocity),
+            Channel::RotationalEnergy => self.rotational_energy(states, columns),
+            Channel::TranslationalEnergy => {
+                let energy = |state: &State| problem.mass.map_or(0.0, |mass| translational_energy(mass, state));
+                batch.scalars(columns, |_, _, state| energy(state));
+            }
+            Channel::PotentialEnergy => {
+                batch.scalars(columns, |_, time, state| problem.potential_energy(time, state));
+            }
+            Channel::TotalEnergy => self.total_energy(batch, samples.channel_mut(Channel::EnergyDrift), columns),
+            // Made along with the energy, if that is watched.
+            Channel::EnergyDrift if samples.channel(Channel::TotalEnergy).is_some() => {}
+            Channel::EnergyDrift => batch.scalars(columns, |_, time, state| {
+                let (energy, scale) = problem.total_energy(time, state);
+                self.energy_drift(energy, scale)
+            }),
+            Channel::MomentumDrift => self.momentum_drifts(batch, samples, columns),
+            Channel::Slip => self.slips(batch, columns),
+            Channel::Tilt => {
+                let tilt = |figure: FigureAxis, time, state: &State| figure.tilt(problem, time, state);
+                batch.scalars(columns, |_, time, state| self.figure.map_or(0.0, |figure| tilt(figure, time, state)));
+            }
+            Channel::PrecessionRate => {
+                let rate = |figure: FigureAxis, time, state: &State| figure.precession_rate(problem, time, state);
+                batch.scalars(columns, |_, time, state| self.figure.map_or(0.0, |figure| rate(figure, time, state)));
+            }
+        }
+    }
+
+    fn attitude(&self, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
         let Some(body_from_principal) = self.body_from_principal else {
-            return copy(&states.attitude, columns);
+            return copy(&batch.states.attitude, columns);
         };
         let principal_from_body = body_from_principal.inverse();
-        clear(columns);
-        for index in 0..states.len() {
-            let attitude = attitude_at(states, index) * principal_from_body;
-            for (column, component) in columns.iter_mut().zip([attitude.w, attitude.i, attitude.j, attitude.k]) {
-                column.push(component);
-            }
+        columns.iter_mut().for_each(|column| column.resize(batch.states.len(), 0.0));
+        let [w, x, y, z] = columns else { return };
+        for (index, (((w, x), y), z)) in w.iter_mut().zip(x).zip(y).zip(z).enumerate() {
+            let attitude = batch.attitude(index) * principal_from_body;
+            (*w, *x, *y, *z) = (attitude.w, attitude.i, attitude.j, attitude.k);
         }
     }
 
@@ -69,102 +119,109 @@ impl Derivation {
         let [i1, i2, i3]: [f64; 3] = self.problem.moments.vector().into();
         let [w1, w2, w3] = &states.angular_velocity;
         let energy = |((w1, w2), w3): ((&f64, &f64), &f64)| 0.5 * (i1 * w1 * w1 + i2 * w2 * w2 + i3 * w3 * w3);
-        clear(columns);
         for column in columns {
+            column.clear();
             column.extend(w1.iter().zip(w2).zip(w3).map(energy));
         }
     }
 
-    fn state_by_state(&self, channel: Channel, times: &[f64], states: &States, columns: &mut [Vec<f64>]) {
-        clear(columns);
-        for (index, time) in times.iter().enumerate() {
-            let value = self.value(channel, *time, &self.state_at(states, index));
-            for (column, component) in columns.iter_mut().zip(value.iter()) {
-                column.push(*component);
-            }
-        }
+    /// The total energy, and its drift where that is watched too.
+    fn total_energy(&self, batch: &Batch<'_>, drifts: Option<&mut [Vec<f64>]>, columns: &mut [Vec<f64>]) {
+        let total = |time, state: &State| self.problem.total_energy(time, state);
+        let Some([drifts]) = drifts else { return batch.scalars(columns, |_, time, state| total(time, state).0) };
+        drifts.clear();
+        batch.scalars(columns, |_, time, state| {
+            let (energy, scale) = total(time, state);
+            drifts.push(self.energy_drift(energy, scale));
+            energy
+        });
     }
 
-    /// A scalar stands in the first component.
-    fn value(&self, channel: Channel, time: f64, state: &State) -> Vector3<f64> {
-        let problem = &self.problem;
-        let to_body = |in_principal| self.body_from_principal.map_or(in_principal, |turn| turn * in_principal);
-        let scalar = |value| Vector3::new(value, 0.0, 0.0);
-        let moment = || problem.moment(time, state);
-        match channel {
-            Channel::AngularVelocity => to_body(state.angular_velocity.in_body()),
-            Channel::AngularVelocityWorld => state.attitude.to_world(&state.angular_velocity.in_body()),
-            Channel::AngularMomentumWorld => momentum_in_world(problem.moments, state),
-            Channel::AngularMomentumBody => to_body(state.angular_velocity.momentum(problem.moments).in_body()),
-            Channel::MomentBody => to_body(moment()),
-            Channel::MomentWorld => state.attitude.to_world(&moment()),
-            Channel::ForceWorld => problem.force(time, state),
-            Channel::Position => state.position,
-            Channel::Velocity => state.velocity,
-            Channel::TranslationalEnergy => scalar(problem.mass.map_or(0.0, |mass| translational_energy(mass, state))),
-            Channel::PotentialEnergy => scalar(problem.potential_energy(time, state)),
-            Channel::TotalEnergy => scalar(problem.total_energy(time, state).0),
-            Channel::EnergyDrift => scalar(self.energy_drift(time, state)),
-            Channel::MomentumDrift => scalar(self.momentum_drift(time, state)),
-            Channel::Slip => scalar(self.slip(state)),
-            Channel::Tilt => scalar(self.figure.map_or(0.0, |figure| figure.tilt(problem, time, state))),
-            Channel::PrecessionRate => {
-                scalar(self.figure.map_or(0.0, |figure| figure.precession_rate(problem, time, state)))
-            }
-            Channel::Attitude | Channel::RotationalEnergy => Vector3::zeros(),
-        }
-    }
-
-    fn energy_drift(&self, time: f64, state: &State) -> f64 {
-        let (energy, scale) = self.problem.total_energy(time, state);
+    fn energy_drift(&self, energy: f64, scale: f64) -> f64 {
         parts_per_1e15(energy - self.initial_energy, scale.max(self.initial_energy_scale))
     }
 
-    fn momentum_drift(&self, time: f64, state: &State) -> f64 {
-        let Some(law) = &self.momentum_law else { return 0.0 };
-        let momentum = momentum_in_world(self.problem.moments, state);
-        let scale = self.initial_momentum.norm().max(momentum.norm());
-        parts_per_1e15(law.violation(time, &self.initial_momentum, &momentum), scale)
+    /// From L in world axes, which is not worked out again where it is watched.
+    fn momentum_drifts(&self, batch: &Batch<'_>, samples: &BodySamples, columns: &mut [Vec<f64>]) {
+        let Some(law) = &self.momentum_law else { return batch.scalars(columns, |_, _, _| 0.0) };
+        let initial = &self.initial_momentum;
+        let initial_norm = initial.norm();
+        let drift = |time, momentum: &Vector3<f64>| {
+            parts_per_1e15(law.violation(time, initial, momentum), initial_norm.max(momentum.norm()))
+        };
+        match samples.channel(Channel::AngularMomentumWorld) {
+            Some([x, y, z]) => {
+                let momentum = |index: usize| Vector3::new(x[index], y[index], z[index]);
+                batch.scalars(columns, |index, time, _| drift(time, &momentum(index)));
+            }
+            _ => batch.scalars(columns, |_, time, state| drift(time, &momentum_in_world(self.problem.moments, state))),
+        }
     }
 
     /// Poinsot: the body's point where the energy ellipsoid touches the plane across L(0) is along I⁻¹ L(0), and at rest.
-    fn slip(&self, state: &State) -> f64 {
+    fn slips(&self, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
         if !self.problem.loads.is_empty() {
-            return 0.0;
+            return batch.scalars(columns, |_, _, _| 0.0);
         }
-        let momentum = state.attitude.to_body(&self.initial_momentum);
-        let touching = momentum.component_div(&self.problem.moments.vector());
-        let omega = state.angular_velocity.in_body();
-        parts_per_1e15(omega.cross(&touching).norm(), omega.norm() * touching.norm())
+        batch.scalars(columns, |_, _, state| {
+            let momentum = state.attitude.to_body(&self.initial_momentum);
+            let touching = momentum.component_div(&self.problem.moments.vector());
+            let omega = state.angular_velocity.in_body();
+            parts_per_1e15(omega.cross(&touching).norm(), omega.norm() * touching.norm())
+        });
     }
+}
 
-    /// What was not propagated stays as it was at t = 0: it is constant, or no channel looks at it.
-    fn state_at(&self, states: &States, index: usize) -> State {
+/// The states of a batch, one at a time. What was not propagated stays as it was at t = 0: it is constant, or no channel
+/// looks at it.
+struct Batch<'a> {
+    times: &'a [f64],
+    states: &'a States,
+    initial: &'a State,
+}
+
+impl Batch<'_> {
+    #[inline(always)]
+    fn state(&self, index: usize) -> State {
         let vector = |columns: &[Vec<f64>; 3], constant: &Vector3<f64>| {
             if columns[0].is_empty() { *constant } else { Vector3::from_fn(|row, _| columns[row][index]) }
         };
-        let initial = &self.problem.initial;
         State {
-            attitude: Attitude::from_world_from_body(attitude_at(states, index)),
-            angular_velocity: AngularVelocity::from_vector(vector(&states.angular_velocity, &Vector3::zeros())),
-            position: vector(&states.position, &initial.position),
-            velocity: vector(&states.velocity, &initial.velocity),
+            attitude: Attitude::from_world_from_body(self.attitude(index)),
+            angular_velocity: AngularVelocity::from_vector(vector(&self.states.angular_velocity, &Vector3::zeros())),
+            position: vector(&self.states.position, &self.initial.position),
+            velocity: vector(&self.states.velocity, &self.initial.velocity),
         }
     }
-}
 
-/// World from principal; the identity where no attitude was propagated, as then no channel looks at it.
-fn attitude_at(states: &States, index: usize) -> UnitQuaternion<f64> {
-    let [w, x, y, z] = &states.attitude;
-    if w.is_empty() {
-        return UnitQuaternion::identity();
+    /// World from principal; the identity where no attitude was propagated, as then no channel looks at it.
+    #[inline(always)]
+    fn attitude(&self, index: usize) -> UnitQuaternion<f64> {
+        let [w, x, y, z] = &self.states.attitude;
+        if w.is_empty() {
+            return UnitQuaternion::identity();
+        }
+        UnitQuaternion::new_unchecked(Quaternion::new(w[index], x[index], y[index], z[index]))
     }
-    UnitQuaternion::new_unchecked(Quaternion::new(w[index], x[index], y[index], z[index]))
-}
 
-fn clear(columns: &mut [Vec<f64>]) {
-    for column in columns {
-        column.clear();
+    /// Fills three columns with what `value` makes of time and state.
+    #[inline(always)]
+    fn vectors(&self, columns: &mut [Vec<f64>], value: impl Fn(f64, &State) -> Vector3<f64>) {
+        columns.iter_mut().for_each(|column| column.resize(self.times.len(), 0.0));
+        let [x, y, z] = columns else { return };
+        for (index, (((x, y), z), time)) in x.iter_mut().zip(y).zip(z).zip(self.times).enumerate() {
+            [*x, *y, *z] = value(*time, &self.state(index)).into();
+        }
+    }
+
+    /// Fills a column with what `value` makes of index, time and state.
+    #[inline(always)]
+    fn scalars(&self, columns: &mut [Vec<f64>], mut value: impl FnMut(usize, f64, &State) -> f64) {
+        let [column] = columns else { return };
+        column.resize(self.times.len(), 0.0);
+        for (index, (place, time)) in column.iter_mut().zip(self.times).enumerate() {
+            *place = value(index, *time, &self.state(index));
+        }
     }
 }
 
