@@ -30,14 +30,27 @@ pub(super) fn sim_time(stamps: Vec<i64>) -> TimeColumn {
 /// The columns of one channel, one list a row. Built by hand: the archetype's own way costs ten times as much.
 pub(super) fn scalars(columns: &[Vec<f64>]) -> SerializedComponentColumn {
     let rows = columns.first().map_or(0, Vec::len);
-    let values: Vec<f64> = match columns {
+    let values = match columns {
         [single] => single.clone(),
+        [x, y, z] => interleaved(rows, [x, y, z]),
+        [w, x, y, z] => interleaved(rows, [w, x, y, z]),
         several => (0..rows).flat_map(|row| several.iter().map(move |column| column[row])).collect(),
     };
     let offsets = OffsetBuffer::from_repeated_length(columns.len(), rows);
     let field = Arc::new(Field::new_list_field(DataType::Float64, true));
     let list = ListArray::new(field, offsets, Arc::new(Float64Array::from(values)), None);
     SerializedComponentColumn::new(list, Scalars::descriptor_scalars())
+}
+
+/// Row after row.
+fn interleaved<const N: usize>(rows: usize, columns: [&Vec<f64>; N]) -> Vec<f64> {
+    let mut values = vec![0.0; N * rows];
+    for (place, column) in columns.into_iter().enumerate() {
+        for (row, value) in values.as_chunks_mut::<N>().0.iter_mut().zip(column) {
+            row[place] = *value;
+        }
+    }
+    values
 }
 
 /// For the picture, which is f32.

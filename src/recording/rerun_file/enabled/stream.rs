@@ -1,14 +1,17 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use re_chunk::external::arrow::array::RecordBatch;
 use re_chunk::external::arrow::datatypes::Schema;
+use re_chunk::external::arrow::ipc::writer::StreamWriter;
 use re_chunk::{Chunk, ChunkComponents, ChunkId, EntityPath, RowId, Span, TimeColumn};
 use re_log_encoding::{
     Compression, Encodable as _, EncodingOptions, MessageHeader, MessageKind, RRD_FOURCC, RrdManifestBuilder,
     Serializer, StreamFooter, StreamHeader, ToTransport as _,
 };
 use re_log_types::{BlueprintActivationCommand, LogMsg, SetStoreInfo, StoreId, StoreInfo, StoreSource};
-use re_protos::log_msg::v1alpha1::RrdFooter;
+use re_protos::log_msg::v1alpha1::log_msg::Msg;
+use re_protos::log_msg::v1alpha1::{ArrowMsg, Encoding, RrdFooter};
 use re_sdk_types::{AsComponents, SerializedComponentColumn};
 use re_tuid::Tuid;
 
@@ -22,6 +25,8 @@ pub(super) struct Stream<W> {
     path: PathBuf,
     position: u64,
     buffer: Vec<u8>,
+    /// A chunk as Arrow serialises it.
+    payload: Vec<u8>,
     row_ids: Vec<RowId>,
     stores: Vec<(StoreId, RrdManifestBuilder)>,
     next_id: u64,
@@ -47,8 +52,16 @@ impl<W: Write> Stream<W> {
     /// # Errors
     /// If the writer refuses.
     pub(super) fn begin(writer: W, path: PathBuf) -> Result<Self, RecordingError> {
-        let mut stream =
-            Self { writer, path, position: 0, buffer: Vec::new(), row_ids: Vec::new(), stores: Vec::new(), next_id: 1 };
+        let mut stream = Self {
+            writer,
+            path,
+            position: 0,
+            buffer: Vec::new(),
+            payload: Vec::new(),
+            row_ids: Vec::new(),
+            stores: Vec::new(),
+            next_id: 1,
+        };
         let header = StreamHeader {
             fourcc: RRD_FOURCC,
             version: re_build_info::CrateVersion::LOCAL.to_bytes(),
@@ -117,19 +130,42 @@ impl<W: Write> Stream<W> {
             columns.into_iter().map(|column| (column.descriptor, column.list_array)).collect();
         let chunk =
             Chunk::from_native_row_ids(id, EntityPath::from(entity), Some(true), &self.row_ids, timelines, components)
-                .and_then(|chunk| chunk.to_arrow_msg())
                 .map_err(|error| self.refused(error))?;
-
-        let transport = LogMsg::ArrowMsg(self.stores[store.0].0.clone(), chunk.clone())
-            .to_transport(Self::COMPRESSION)
-            .map_err(|error| self.refused(error))?;
-        let length = transport.to_rrd_bytes(&mut self.buffer).map_err(|error| self.refused(error))?;
+        let batch = chunk.to_chunk_batch().map_err(|error| self.refused(error))?;
+        let message = self.serialized(store, &chunk, &RecordBatch::from(&batch))?;
+        let uncompressed_size = message.uncompressed_size;
+        let message = Msg::ArrowMsg(message);
+        let length = message.to_rrd_bytes(&mut self.buffer).map_err(|error| self.refused(error))?;
         let header = MessageHeader::ENCODED_SIZE_BYTES as u64;
         let span = Span { start: self.position + header, len: length - header };
-        let batch = re_sorbet::ChunkBatch::try_from(&chunk.batch).map_err(|error| self.refused(error))?;
         let manifest = &mut self.stores[store.0].1;
-        manifest.append(&batch, span, transport.byte_size_uncompressed()).map_err(|error| self.refused(error))?;
+        manifest.append(&batch, span, uncompressed_size).map_err(|error| self.refused(error))?;
+        if let Msg::ArrowMsg(message) = message {
+            // The allocation comes back to be filled anew.
+            self.payload = message.payload.into();
+        }
         self.send()
+    }
+
+    /// What the library's own conversion makes of a chunk, without parsing the chunk once more and in memory that is used
+    /// again: fresh memory costs as much as filling it.
+    fn serialized(&mut self, store: Store, chunk: &Chunk, batch: &RecordBatch) -> Result<ArrowMsg, RecordingError> {
+        self.payload.clear();
+        StreamWriter::try_new(&mut self.payload, batch.schema_ref())
+            .and_then(|mut writer| {
+                writer.write(batch)?;
+                writer.finish()
+            })
+            .map_err(|error| self.refused(error))?;
+        Ok(ArrowMsg {
+            store_id: Some(self.stores[store.0].0.clone().into()),
+            chunk_id: Some(chunk.id().as_tuid().into()),
+            compression: re_protos::common::v1alpha1::Compression::from(Self::COMPRESSION) as i32,
+            uncompressed_size: self.payload.len() as u64,
+            encoding: Encoding::ArrowIpc as i32,
+            payload: std::mem::take(&mut self.payload).into(),
+            is_static: Some(chunk.is_static()),
+        })
     }
 
     /// Ends the stream with its footer and gives the writer back, unflushed.
