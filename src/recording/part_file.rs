@@ -34,7 +34,8 @@ struct Disk {
 }
 
 impl PartFile {
-    const BUFFER: usize = 1 << 20;
+    /// Gathers small writes; what is larger, as chunks of recordings are, goes to the system without being copied.
+    const BUFFER: usize = 1 << 16;
     const FLUSH_EVERY: Duration = Duration::from_secs(1);
 
     /// Creates `NAME.part` beside `path`, empty and locked.
