@@ -72,12 +72,6 @@ pub(super) struct Color {
 }
 
 #[derive(Clone, PartialEq, Message)]
-pub(super) struct FrameTransforms {
-    #[prost(message, repeated, tag = "1")]
-    pub transforms: Vec<FrameTransform>,
-}
-
-#[derive(Clone, PartialEq, Message)]
 pub(super) struct FrameTransform {
     #[prost(message, optional, tag = "1")]
     pub timestamp: Option<Timestamp>,

@@ -14,6 +14,7 @@ mod state;
 mod summary;
 mod surfaces;
 mod tally;
+mod template;
 mod write;
 
 pub(in crate::recording) use columns::open;

@@ -1,17 +1,24 @@
 use std::collections::BTreeMap;
 
-use nalgebra::{UnitQuaternion, Vector3};
-use prost::Message;
+use nalgebra::Vector3;
 
 use super::container::{Output, Topic};
 use super::foxglove::{
-    ArrowPrimitive, Color, FRAME_TRANSFORMS, FrameTransform, FrameTransforms, KeyValuePair, Pose, SCENE_UPDATE,
-    SceneEntity, SceneUpdate, Timestamp, WORLD, body_frame,
+    ArrowPrimitive, Color, FRAME_TRANSFORMS, FrameTransform, KeyValuePair, Pose, Quaternion, SCENE_UPDATE, SceneEntity,
+    WORLD, Xyz, body_frame,
 };
+use super::template::{Stamp, Template, begin};
 use crate::recording::RecordingError;
-use crate::recording::picture::{BodyPicture, Picture, attitude};
-use crate::scenario::Plan;
+use crate::recording::picture::{Arrow, BodyPicture, Picture, attitude};
+use crate::scenario::{Plan, PlannedBody};
 use crate::telemetry::{BodySamples, Channel, Samples};
+
+/// Key of a `foxglove.FrameTransform` in `foxglove.FrameTransforms`.
+const FRAME_KEY: u8 = 1 << 3 | 2;
+/// Key of a `foxglove.SceneEntity` in `foxglove.SceneUpdate`.
+const ENTITY_KEY: u8 = 2 << 3 | 2;
+/// Key of the time in both: the first field, so that templates follow it.
+const TIMESTAMP_KEY: u8 = 1 << 3 | 2;
 
 /// What moves in a 3D view: frames on `/tf`, arrows on `/scene`.
 #[derive(Debug)]
@@ -23,8 +30,22 @@ pub(super) struct MovingScene {
 
 #[derive(Debug)]
 struct MovingBody {
-    name: String,
-    picture: BodyPicture,
+    /// Of the reference point where it does not move, m.
+    position: Vector3<f64>,
+    /// Thickness of its arrows, m.
+    thickness: f64,
+    /// Where the body is and how it is turned.
+    frame: Template,
+    arrows: Vec<MovingArrow>,
+}
+
+#[derive(Debug)]
+struct MovingArrow {
+    arrow: Arrow,
+    /// Where it starts, how it is turned, how long shaft and head are.
+    drawn: Template,
+    /// Of a vector without direction: the same entity, empty.
+    absent: Template,
 }
 
 impl MovingScene {
@@ -36,82 +57,139 @@ impl MovingScene {
         let has_arrows = picture.bodies.iter().any(|body| !body.arrows.is_empty());
         let frames = if has_frames { Some(output.topic("/tf", FRAME_TRANSFORMS, &nothing)?) } else { None };
         let arrows = if has_arrows { Some(output.topic("/scene", SCENE_UPDATE, &nothing)?) } else { None };
-        let bodies = bodies().map(|(body, picture)| MovingBody { name: body.name.clone(), picture: picture.clone() });
-        Ok(Self { frames, arrows, bodies: bodies.collect() })
+        let bodies = bodies().map(|(body, picture)| MovingBody::new(body, picture)).collect();
+        Ok(Self { frames, arrows, bodies })
     }
 
     /// Draws sample `index` of the batch.
     pub fn draw(&mut self, samples: &Samples, index: usize, output: &mut Output) -> Result<(), RecordingError> {
-        let stamp = samples.stamps_ns[index];
+        let stamp_ns = samples.stamps_ns[index];
+        let stamp = Stamp::new(TIMESTAMP_KEY, stamp_ns);
         let bodies = || self.bodies.iter().zip(&samples.bodies);
         if let Some(topic) = &mut self.frames {
-            let transforms = bodies().filter_map(|(body, samples)| body.frame(samples, index, stamp)).collect();
-            output.send(topic, stamp, |bytes| FrameTransforms { transforms }.encode_raw(bytes))?;
+            output.send(topic, stamp_ns, |bytes| {
+                bodies().for_each(|(body, samples)| body.append_frame(samples, index, &stamp, bytes));
+            })?;
         }
         if let Some(topic) = &mut self.arrows {
-            let entities = bodies().flat_map(|(body, samples)| body.arrows(samples, index, stamp)).collect();
-            output.send(topic, stamp, |bytes| SceneUpdate { entities }.encode_raw(bytes))?;
+            output.send(topic, stamp_ns, |bytes| {
+                bodies().for_each(|(body, samples)| body.append_arrows(samples, index, &stamp, bytes));
+            })?;
         }
         Ok(())
     }
 }
 
 impl MovingBody {
-    fn frame(&self, samples: &BodySamples, index: usize, stamp_ns: i64) -> Option<FrameTransform> {
-        Some(FrameTransform {
-            timestamp: Some(Timestamp::of(stamp_ns)),
+    fn new(body: &PlannedBody, picture: &BodyPicture) -> Self {
+        let [x, y, z, qx, qy, qz, qw] = [0, 1, 2, 3, 4, 5, 6].map(Template::mark);
+        let frame = FrameTransform {
+            timestamp: None,
             parent_frame_id: WORLD.into(),
-            child_frame_id: body_frame(&self.name),
-            translation: Some(self.position(samples, index).into()),
-            rotation: Some(attitude(samples, index)?.into()),
-        })
+            child_frame_id: body_frame(&body.name),
+            translation: Some(Xyz { x, y, z }),
+            rotation: Some(Quaternion { x: qx, y: qy, z: qz, w: qw }),
+        };
+        let thickness = 0.03 * picture.extent;
+        let arrows = picture.arrows.iter().map(|arrow| MovingArrow::new(&body.name, arrow, thickness)).collect();
+        Self { position: picture.position, thickness, frame: Template::of(&frame, 7), arrows }
     }
 
-    fn arrows(&self, samples: &BodySamples, index: usize, stamp_ns: i64) -> impl Iterator<Item = SceneEntity> {
-        self.picture.arrows.iter().filter_map(move |arrow| {
-            let vector = arrow.quantity.in_world(samples, index)? * arrow.metres_per_unit;
-            let shape = self.arrow(vector, self.position(samples, index), arrow.colour);
-            let (_, _, name) = arrow.quantity.words();
-            Some(SceneEntity {
-                timestamp: Some(Timestamp::of(stamp_ns)),
-                frame_id: WORLD.into(),
-                id: format!("{}/{name}", self.name),
-                metadata: vec![KeyValuePair { key: "scale".into(), value: arrow.label.clone() }],
-                arrows: shape.into_iter().collect(),
-                ..SceneEntity::default()
-            })
-        })
+    fn append_frame(&self, samples: &BodySamples, index: usize, stamp: &Stamp, bytes: &mut Vec<u8>) {
+        let Some(turn) = attitude(samples, index) else { return };
+        let [x, y, z] = self.position(samples, index).into();
+        begin(FRAME_KEY, stamp.len() + self.frame.len(), bytes);
+        bytes.extend_from_slice(stamp.bytes());
+        self.frame.append([x, y, z, turn.i, turn.j, turn.k, turn.w], bytes);
     }
 
-    /// From `start` along `vector`, in m; none for a vector without direction. Shaft and head share its length.
-    fn arrow(&self, vector: Vector3<f64>, start: Vector3<f64>, [red, green, blue]: [u8; 3]) -> Option<ArrowPrimitive> {
-        let length = vector.norm();
-        if length == 0.0 {
-            return None;
+    fn append_arrows(&self, samples: &BodySamples, index: usize, stamp: &Stamp, bytes: &mut Vec<u8>) {
+        let [x, y, z] = self.position(samples, index).into();
+        for MovingArrow { arrow, drawn, absent } in &self.arrows {
+            let Some(vector) = arrow.quantity.in_world(samples, index) else { continue };
+            let vector = vector * arrow.metres_per_unit;
+            let length = vector.norm();
+            let template = if length == 0.0 { absent } else { drawn };
+            begin(ENTITY_KEY, stamp.len() + template.len(), bytes);
+            bytes.extend_from_slice(stamp.bytes());
+            // Shaft and head share the vector's length.
+            let head = (4.0 * self.thickness).min(0.5 * length);
+            let [qx, qy, qz, qw] = along_x(vector / length);
+            template.append([x, y, z, qx, qy, qz, qw, length - head, head], bytes);
         }
-        let thickness = 0.03 * self.picture.extent;
-        let head_length = (4.0 * thickness).min(0.5 * length);
-        Some(ArrowPrimitive {
-            pose: Some(Pose { position: Some(start.into()), orientation: Some(along_x(vector / length).into()) }),
-            shaft_length: length - head_length,
-            shaft_diameter: thickness,
-            head_length,
-            head_diameter: 2.0 * thickness,
-            color: Some(Color::of([red, green, blue, u8::MAX])),
-        })
     }
 
     /// Of the reference point.
     fn position(&self, samples: &BodySamples, index: usize) -> Vector3<f64> {
         match samples.channel(Channel::Position) {
             Some([x, y, z]) => Vector3::new(x[index], y[index], z[index]),
-            _ => self.picture.position,
+            _ => self.position,
         }
     }
 }
 
-/// The turn that brings +x to `direction`: half a turn about +y where that is −x.
-fn along_x(direction: Vector3<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::rotation_between(&Vector3::x(), &direction)
-        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::PI))
+impl MovingArrow {
+    fn new(body: &str, arrow: &Arrow, thickness: f64) -> Self {
+        let [x, y, z, qx, qy, qz, qw, shaft_length, head_length] = [0, 1, 2, 3, 4, 5, 6, 7, 8].map(Template::mark);
+        let [red, green, blue] = arrow.colour;
+        let shape = ArrowPrimitive {
+            pose: Some(Pose {
+                position: Some(Xyz { x, y, z }),
+                orientation: Some(Quaternion { x: qx, y: qy, z: qz, w: qw }),
+            }),
+            shaft_length,
+            shaft_diameter: thickness,
+            head_length,
+            head_diameter: 2.0 * thickness,
+            color: Some(Color::of([red, green, blue, u8::MAX])),
+        };
+        let (_, _, name) = arrow.quantity.words();
+        let absent = SceneEntity {
+            frame_id: WORLD.into(),
+            id: format!("{body}/{name}"),
+            metadata: vec![KeyValuePair { key: "scale".into(), value: arrow.label.clone() }],
+            ..SceneEntity::default()
+        };
+        let drawn = SceneEntity { arrows: vec![shape], ..absent.clone() };
+        Self { arrow: arrow.clone(), drawn: Template::of(&drawn, 9), absent: Template::of(&absent, 0) }
+    }
+}
+
+/// The turn that brings +x to the unit vector `direction`: half a turn about +y where that is −x. Sine and cosine of half
+/// the angle, each by what does not cancel.
+fn along_x(direction: Vector3<f64>) -> [f64; 4] {
+    let [x, y, z] = direction.into();
+    if x >= 0.0 {
+        let cosine = (0.5 * (1.0 + x)).sqrt();
+        let share = 0.5 / cosine;
+        return [0.0, -z * share, y * share, cosine];
+    }
+    let (sine, across) = ((0.5 * (1.0 - x)).sqrt(), (y * y + z * z).sqrt());
+    if across == 0.0 {
+        return [0.0, 1.0, 0.0, 0.0];
+    }
+    let share = sine / across;
+    [0.0, -z * share, y * share, 0.5 * across / sine]
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::UnitQuaternion;
+
+    use super::*;
+
+    /// Each component is rounded four times at most, as is what turning by it makes.
+    #[test]
+    fn an_arrow_points_along_its_vector() {
+        let directions = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [3.0, -4.0, 12.0]];
+        let nearly_back = [[-1.0, 1e-9, 0.0], [-1.0, 0.0, -1e-200], [-3.0, 1e-3, 2.0], [-1e-12, 1.0, 1.0]];
+        for direction in directions.into_iter().chain(nearly_back) {
+            let direction = Vector3::from(direction).normalize();
+            let [x, y, z, w] = along_x(direction);
+            let turn = nalgebra::Quaternion::new(w, x, y, z);
+            assert!((turn.norm() - 1.0).abs() < 5e-16, "{direction}");
+            let error = UnitQuaternion::new_unchecked(turn) * Vector3::x() - direction;
+            assert!(error.norm() < 1e-15, "{direction}: {error}");
+        }
+    }
 }

@@ -2,10 +2,10 @@
 //! file and all of the time; a test holds the bytes against those of a derived encoder.
 
 use prost::Message;
-use prost::encoding::{WireType, encode_key, encode_varint, message};
+use prost::encoding::{WireType, encode_key, encode_varint};
 
 use super::descriptor::{FieldDescriptor, FileDescriptor, FileDescriptorSet, MessageDescriptor};
-use super::foxglove::Timestamp;
+use super::template::{Stamp, Template};
 use crate::scenario::nanoseconds;
 use crate::telemetry::Channel;
 
@@ -13,8 +13,12 @@ use crate::telemetry::Channel;
 pub(super) const NAME: &str = "polhode.BodyState";
 /// Field of the exact time in s.
 const TIME: u32 = 1;
+/// Its key on the wire: the field, of eight bytes.
+const TIME_KEY: u8 = (TIME << 3 | 1) as u8;
 /// Field of the time in whole ns, as `google.protobuf.Timestamp`: what the message is stamped with.
 const TIMESTAMP: u32 = 2;
+/// Its key on the wire: the field, length first.
+const TIMESTAMP_KEY: u8 = (TIMESTAMP << 3 | 2) as u8;
 /// Field of the first channel; the others follow in the order of [`Channel`], which only ever grows at its end.
 const FIRST_CHANNEL: u32 = 3;
 
@@ -26,62 +30,64 @@ fn field_of(channel: Channel) -> u32 {
 /// How messages of one body's channels are laid out.
 #[derive(Debug)]
 pub(super) struct StateLayout {
-    /// What follows the time: keys, and room for each column's number.
-    channels: Vec<u8>,
-    /// Where the room is.
-    places: Vec<usize>,
+    /// What follows the times: keys, and room for each column's number.
+    channels: Template,
+}
+
+/// The times of a sample as the messages of all bodies begin with them.
+#[derive(Debug)]
+pub(super) struct StateTimes {
+    time_s: [u8; 9],
+    stamp: Stamp,
+}
+
+impl StateTimes {
+    pub fn new(time_s: f64, stamp_ns: i64) -> Self {
+        let mut field = [TIME_KEY; 9];
+        field[1..].copy_from_slice(&time_s.to_le_bytes());
+        Self { time_s: field, stamp: Stamp::new(TIMESTAMP_KEY, stamp_ns) }
+    }
+
+    fn append(&self, bytes: &mut Vec<u8>) {
+        bytes.extend_from_slice(&self.time_s);
+        bytes.extend_from_slice(self.stamp.bytes());
+    }
 }
 
 impl StateLayout {
     pub fn new(channels: &[Channel]) -> Self {
-        let mut encoder = Self { channels: Vec::new(), places: Vec::new() };
-        for key in channels.iter().flat_map(|channel| keys_of(*channel)) {
-            encoder.channels.extend_from_slice(&key);
-            encoder.places.push(encoder.channels.len());
-            encoder.channels.extend_from_slice(&[0; 8]);
-        }
-        encoder
+        let mut template = Template::default();
+        channels.iter().flat_map(|channel| keys_of(*channel)).for_each(|key| template.push(&key));
+        Self { channels: template }
     }
 
-    /// Appends sample `index` to `bytes`. All numbers are written, zeros too: −0 would not come back.
-    pub fn encode(&self, time: (f64, i64), columns: &[Vec<f64>], index: usize, bytes: &mut Vec<u8>) {
-        encode_times(time, bytes);
-        let start = bytes.len();
-        bytes.extend_from_slice(&self.channels);
-        let message = &mut bytes[start..];
-        for (place, column) in self.places.iter().zip(columns) {
-            message[*place..*place + 8].copy_from_slice(&column[index].to_le_bytes());
-        }
+    /// Appends sample `index` to `bytes`.
+    pub fn encode(&self, times: &StateTimes, columns: &[Vec<f64>], index: usize, bytes: &mut Vec<u8>) {
+        times.append(bytes);
+        self.channels.append(columns.iter().map(|column| column[index]), bytes);
     }
 
     /// Appends the numbers of a message to `columns` and returns its exact time in s; `None`, and nothing is appended,
     /// if it is not laid out just so.
     pub fn decode(&self, message: &[u8], columns: &mut [Vec<f64>]) -> Option<f64> {
         let time_s = number_at(message, 1)?;
-        let mut times = Vec::with_capacity(32);
-        encode_times((time_s, nanoseconds(time_s)), &mut times);
-        let channels = message.strip_prefix(times.as_slice())?;
+        let times = StateTimes::new(time_s, nanoseconds(time_s));
+        let channels = message.strip_prefix(&times.time_s)?.strip_prefix(times.stamp.bytes())?;
         if channels.len() != self.channels.len() {
             return None;
         }
-        let mut end = 0;
-        for place in &self.places {
-            if channels.get(end..*place) != self.channels.get(end..*place) {
+        let (mut end, expected) = (0, self.channels.bytes());
+        for place in self.channels.places() {
+            if channels.get(end..*place) != expected.get(end..*place) {
                 return None;
             }
             end = *place + 8;
         }
-        for (place, column) in self.places.iter().zip(columns) {
+        for (place, column) in self.channels.places().iter().zip(columns) {
             column.push(number_at(channels, *place)?);
         }
         Some(time_s)
     }
-}
-
-fn encode_times((time_s, stamp_ns): (f64, i64), bytes: &mut Vec<u8>) {
-    encode_key(TIME, WireType::SixtyFourBit, bytes);
-    bytes.extend_from_slice(&time_s.to_le_bytes());
-    message::encode(TIMESTAMP, &Timestamp::of(stamp_ns), bytes);
 }
 
 fn number_at(bytes: &[u8], place: usize) -> Option<f64> {

@@ -7,11 +7,15 @@ use mcap::{McapError, McapResult, Summary, parse_record};
 
 use super::tally::{Tally, Topic};
 
+/// Bytes of the footer's record: kind, length, two places, a check sum.
+const FOOTER: u64 = 1 + 8 + 8 + 8 + 4;
+
 /// What the summary at the end of the file says, with the times of each topic from the message indexes; `None` if the
 /// file has no summary, or one without counts.
 pub(super) fn read_summary(file: &mut (impl Read + Seek), length: u64) -> McapResult<Option<Tally>> {
     check_start(file)?;
     let Some(summary) = summary_at_end(file, length)? else { return Ok(None) };
+    check_summary(file, length)?;
     let Some(statistics) = &summary.stats else { return Ok(None) };
     let mut tally = Tally { is_complete: true, ..Tally::default() };
     for index in &summary.metadata_indexes {
@@ -59,6 +63,28 @@ fn summary_at_end(file: &mut (impl Read + Seek), length: u64) -> McapResult<Opti
         }
     }
     Ok(reader.finish())
+}
+
+/// Holds the summary against its check sum, which the crate's reader does not: from where it starts to within the footer.
+fn check_summary(file: &mut (impl Read + Seek), length: u64) -> McapResult<()> {
+    let end = length.saturating_sub(mcap::MAGIC.len() as u64);
+    let footer = end.checked_sub(FOOTER).ok_or(McapError::UnexpectedEof)?;
+    let Record::Footer(footer) = record_at(file, length, footer, op::FOOTER)? else { return Err(McapError::BadIndex) };
+    let saved = footer.summary_crc;
+    let Some(size) = (end - 4).checked_sub(footer.summary_start) else { return Err(McapError::BadIndex) };
+    if saved == 0 {
+        return Ok(());
+    }
+    file.seek(SeekFrom::Start(footer.summary_start))?;
+    let (mut rest, mut piece, mut checksum) = (file.take(size), [0; 4096], crc32fast::Hasher::new());
+    loop {
+        match rest.read(&mut piece)? {
+            0 => break,
+            read => checksum.update(&piece[..read]),
+        }
+    }
+    let calculated = checksum.finalize();
+    if calculated == saved { Ok(()) } else { Err(McapError::BadSummaryCrc { saved, calculated }) }
 }
 
 /// First and last log time of a channel: the indexes of as few chunks are read as tell.

@@ -7,7 +7,7 @@ use super::container::{Output, Topic};
 use super::foxglove::SCENE_UPDATE;
 use super::log::EventLog;
 use super::scene::MovingScene;
-use super::state::{self, StateLayout};
+use super::state::{self, StateLayout, StateTimes};
 use super::surfaces::surfaces;
 use crate::recording::picture::Picture;
 use crate::recording::{PartFile, RecordedBody, RecordingError, Sink, Subject};
@@ -63,8 +63,9 @@ impl Sink for McapFile {
         for (index, number) in (0..samples.len()).zip(samples.first_index..) {
             let (time_s, stamp_ns) = (samples.times_s[index], samples.stamps_ns[index]);
             self.log.tell_until(stamp_ns, &mut self.output)?;
+            let times = StateTimes::new(time_s, stamp_ns);
             for ((layout, topic), body) in self.states.iter_mut().zip(&samples.bodies) {
-                let data = |bytes: &mut Vec<u8>| layout.encode((time_s, stamp_ns), body.columns(), index, bytes);
+                let data = |bytes: &mut Vec<u8>| layout.encode(&times, body.columns(), index, bytes);
                 self.output.send(topic, stamp_ns, data)?;
             }
             if let Some((scene, picture)) = &mut self.scene

@@ -36,12 +36,10 @@ impl Group {
 }
 
 impl Ending {
-    /// Counts a message.
-    pub fn count(&mut self, channel: u16, time: u64) {
-        if let Some(count) = self.messages.get_mut(usize::from(channel).saturating_sub(1)) {
-            *count += 1;
-        }
-        self.times = Some(self.times.map_or((time, time), |(first, last)| (first.min(time), last.max(time))));
+    /// Counts the messages of a chunk: of each channel, in order, and the times of the first and the last of them.
+    pub fn count(&mut self, messages: impl Iterator<Item = u64>, (first, last): (u64, u64)) {
+        self.messages.iter_mut().zip(messages).for_each(|(sum, count)| *sum += count);
+        self.times = Some(self.times.map_or((first, last), |times| (times.0.min(first), times.1.max(last))));
     }
 
     /// Appends what comes after the last chunk: `bytes` stand at `position` in the file, and the checksum of everything

@@ -156,7 +156,6 @@ impl Output {
             self.close_chunk()?;
         }
         self.chunk.message((topic.channel, topic.sequence), time, data);
-        self.ending.count(topic.channel, time);
         topic.sequence = topic.sequence.wrapping_add(1);
         Ok(())
     }
@@ -183,10 +182,8 @@ impl Output {
     }
 
     fn close_chunk(&mut self) -> Result<(), RecordingError> {
-        let indexes = &mut self.ending.chunk_indexes;
-        let closed = self.chunk.close(&mut self.buffer, self.position, &mut indexes.records);
+        let closed = self.chunk.close(&mut self.buffer, self.position, &mut self.ending);
         if closed.map_err(|error| refused(&self.path, &error))? {
-            indexes.count += 1;
             self.send_buffer()?;
         }
         Ok(())
