@@ -105,7 +105,10 @@ fn assert_nothing_is_broken(folder: &Path, plan: &Plan) {
             assert_eq!(samples, (usize::try_from(plan.grid.len()).expect("a short run"), true), "{format}");
         }
         if size(&part) > 1000 {
-            true_samples(&part, plan).expect("a part can be read as far as it goes");
+            // It can be read as far as it goes, if that is as far as its first sample.
+            if let Err(error) = true_samples(&part, plan) {
+                assert!(error.to_string().contains("or none of its start"), "{error}");
+            }
         }
     }
 }

@@ -48,8 +48,11 @@ fn thrown(name: &str) -> BodySpec {
 fn line(body: &BodySpec) -> String {
     // A thruster leaves neither energy nor momentum a law.
     let drifts = [Channel::EnergyDrift, Channel::MomentumDrift, Channel::Slip];
+    // These bodies have no axis of symmetry.
+    let leaning = [Channel::Tilt, Channel::PrecessionRate];
     let is_free = body.force.constant_body.is_empty();
-    let channels = Channel::ALL.into_iter().filter(|channel| is_free || !drifts.contains(channel));
+    let is_told = |channel: &Channel| !leaning.contains(channel) && (is_free || !drifts.contains(channel));
+    let channels = Channel::ALL.into_iter().filter(is_told);
     let scenario = Scenario {
         duration_s: Some(3.0),
         sample_every_s: Some(0.01),
