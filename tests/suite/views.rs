@@ -19,7 +19,9 @@ fn flips(plan: &Plan, body: usize) -> Vec<f64> {
 /// ω along the middle axis is steepest where it is zero: a time that is off by an ulp shows in it by as much.
 #[test]
 fn at_a_flip_the_spin_about_the_middle_axis_is_zero() {
-    for (name, component, period) in [("dzhanibekov", 2, 17.44795269117337), ("tennis_racket", 1, 3.67630050855002)] {
+    for (name, component, period) in
+        [("dzhanibekov", 2, 17.447_952_691_173_37), ("tennis_racket", 1, 3.676_300_508_550_02)]
+    {
         let plan = plan(name);
         let times = flips(&plan, 0);
         assert!(times.len() >= 4, "{name}: {times:?}");
@@ -77,7 +79,7 @@ fn tops_go_round_as_their_names_say() {
         (least, most)
     });
     let [steady, looping, cusped, wavy] = ranges.collect::<Vec<_>>().try_into().expect("four tops");
-    assert!(steady.1 - steady.0 < 1e-13 && (steady.0 - 3.112950499310956).abs() < 1e-13, "{steady:?}");
+    assert!(steady.1 - steady.0 < 1e-13 && (steady.0 - 3.112_950_499_310_956).abs() < 1e-13, "{steady:?}");
     assert!(looping.0 < -1.0 && looping.1 > 1.0, "{looping:?}");
     assert!(cusped.0.abs() < 1e-2 && cusped.1 > 1.0, "{cusped:?}");
     assert!(wavy.0 > 0.1 && wavy.1 > wavy.0 + 1.0, "{wavy:?}");
@@ -133,6 +135,6 @@ fn outcomes_join_the_events() {
     assert!(plan.events.is_sorted_by(|a, b| a.time_s <= b.time_s));
     let failed: Vec<_> = plan.events.iter().filter(|event| event.kind == EventKind::Failed).collect();
     assert_eq!(failed.len(), 1);
-    assert_eq!(failed[0].time_s, 8.723976345586683);
+    assert_eq!(failed[0].time_s, 8.723_976_345_586_683);
     assert!(failed[0].text.ends_with("FAILED"), "{}", failed[0].text);
 }

@@ -16,7 +16,7 @@ pub struct Reversals {
 
 impl Reversals {
     /// From a start whose ω was multiplied by `scale`, a power of two.
-    pub fn new(start: &Start, polhode: &Polhode, scale: f64) -> Self {
+    pub(super) fn new(start: &Start, polhode: &Polhode, scale: f64) -> Self {
         let u0 = polhode.sn * carlson_rf(polhode.cn_squared, polhode.dn_squared, DoubleDouble::ONE);
         let rate = polhode.rate.scale(1.0 / scale);
         // sn is zero at every 2K.

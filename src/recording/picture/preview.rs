@@ -124,16 +124,16 @@ fn scales(looks: &[Look], size: f64) -> [Option<(String, f64)>; 4] {
 }
 
 fn draw(body: &PlannedBody, look: &Look, scales: &[Option<(String, f64)>; 4], colour: [u8; 4]) -> BodyPicture {
-    let arrows = QUANTITIES.iter().zip(scales).zip(look.largest);
-    let arrow = |(((quantity, _, colour), scale), largest): ((&(Quantity, f64, [u8; 3]), &Option<_>), f64)| {
-        let is_there = quantity.is_recorded(&body.channels) && largest > 0.0;
-        let (label, metres_per_unit) = scale.clone().filter(|_| is_there)?;
-        Some(Arrow { quantity: *quantity, label, colour: *colour, metres_per_unit })
+    let arrow = |number: usize| {
+        let (quantity, _, colour) = QUANTITIES[number];
+        let is_there = quantity.is_recorded(&body.channels) && look.largest[number] > 0.0;
+        let (label, metres_per_unit) = scales[number].clone().filter(|_| is_there)?;
+        Some(Arrow { quantity, label, colour, metres_per_unit })
     };
     BodyPicture {
         colour,
         extent: look.extent,
-        arrows: arrows.filter_map(arrow).collect(),
+        arrows: (0..QUANTITIES.len()).filter_map(arrow).collect(),
         spin_axis: spin_axis(body),
         position: body.problem.initial.position,
         travels: body.channels.contains(&Channel::Position) && (look.highest - look.lowest).norm() > FAR * look.extent,

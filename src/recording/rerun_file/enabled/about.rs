@@ -51,7 +51,7 @@ fn exactness(plan: &Plan) -> String {
     match plan.outcomes.len() {
         0 => {}
         1 if passed == 1 => {
-            text += "- **Checked**: the one check, against a number found apart from this program, is met\n"
+            text += "- **Checked**: the one check, against a number found apart from this program, is met\n";
         }
         all if passed == all => {
             let _ = writeln!(
@@ -70,9 +70,10 @@ fn exactness(plan: &Plan) -> String {
 fn measured(certificate: &Certificate) -> String {
     /// m.
     const HAIR: f64 = 1e-4;
-    let reach = match certificate.is_whole {
-        true => "anywhere in this run".to_owned(),
-        false => format!("up to {}", duration(certificate.covered_to_s)),
+    let reach = if certificate.is_whole {
+        "anywhere in this run".to_owned()
+    } else {
+        format!("up to {}", duration(certificate.covered_to_s))
     };
     let by = format!(
         "measured at {} samples against the same motion computed with twice as many digits",

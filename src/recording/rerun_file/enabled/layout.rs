@@ -68,7 +68,7 @@ pub(super) struct Floor {
     spacing: f64,
     /// Length of the world's axes, m.
     pub(super) axes: f64,
-    /// Where the world's axes are drawn: on the left of a body, before the middle of a row, m.
+    /// Where the world's axes are drawn: on the left of the bodies, or before the middle of a long row, m.
     pub(super) corner: Vector3<f64>,
 }
 
@@ -83,7 +83,9 @@ impl Floor {
         let spread = distances.fold(0.0, f64::max);
         let distance = view.norm();
         let beside = left * (spread + 1.9 * size) + ahead * (0.2 * size);
-        let corner = picture.target + if plan.bodies.len() > 1 { ahead * (-0.42 * distance) } else { beside };
+        // Beside a long row there is no room in the picture, before it there is.
+        let is_long = spread > 3.0 * size && plan.bodies.len() > 1;
+        let corner = picture.target + if is_long { ahead * (-0.42 * distance) } else { beside };
         Self {
             height,
             spacing: round_number(size.max(0.08 * distance)),
