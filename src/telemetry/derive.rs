@@ -82,7 +82,10 @@ impl Derivation {
             Channel::PotentialEnergy => {
                 batch.scalars(columns, |_, time, state| problem.potential_energy(time, state));
             }
-            Channel::TotalEnergy => self.total_energy(batch, samples.channel_mut(Channel::EnergyDrift), columns),
+            Channel::TotalEnergy => {
+                let drifts = samples.channel_mut(Channel::EnergyDrift).and_then(<[_]>::first_mut);
+                self.total_energy(batch, drifts, columns);
+            }
             // Made along with the energy, if that is watched.
             Channel::EnergyDrift if samples.channel(Channel::TotalEnergy).is_some() => {}
             Channel::EnergyDrift => batch.scalars(columns, |_, time, state| {
@@ -107,7 +110,9 @@ impl Derivation {
             return copy(&batch.states.attitude, columns);
         };
         let principal_from_body = body_from_principal.inverse();
-        columns.iter_mut().for_each(|column| column.resize(batch.states.len(), 0.0));
+        for column in columns.iter_mut() {
+            column.resize(batch.states.len(), 0.0);
+        }
         let [w, x, y, z] = columns else { return };
         for (index, (((w, x), y), z)) in w.iter_mut().zip(x).zip(y).zip(z).enumerate() {
             let attitude = batch.attitude(index) * principal_from_body;
@@ -126,9 +131,9 @@ impl Derivation {
     }
 
     /// The total energy, and its drift where that is watched too.
-    fn total_energy(&self, batch: &Batch<'_>, drifts: Option<&mut [Vec<f64>]>, columns: &mut [Vec<f64>]) {
+    fn total_energy(&self, batch: &Batch<'_>, drifts: Option<&mut Vec<f64>>, columns: &mut [Vec<f64>]) {
         let total = |time, state: &State| self.problem.total_energy(time, state);
-        let Some([drifts]) = drifts else { return batch.scalars(columns, |_, time, state| total(time, state).0) };
+        let Some(drifts) = drifts else { return batch.scalars(columns, |_, time, state| total(time, state).0) };
         drifts.clear();
         batch.scalars(columns, |_, time, state| {
             let (energy, scale) = total(time, state);
@@ -207,7 +212,9 @@ impl Batch<'_> {
     /// Fills three columns with what `value` makes of time and state.
     #[inline(always)]
     fn vectors(&self, columns: &mut [Vec<f64>], value: impl Fn(f64, &State) -> Vector3<f64>) {
-        columns.iter_mut().for_each(|column| column.resize(self.times.len(), 0.0));
+        for column in columns.iter_mut() {
+            column.resize(self.times.len(), 0.0);
+        }
         let [x, y, z] = columns else { return };
         for (index, (((x, y), z), time)) in x.iter_mut().zip(y).zip(z).zip(self.times).enumerate() {
             [*x, *y, *z] = value(*time, &self.state(index)).into();

@@ -14,11 +14,11 @@ pub(super) const NAME: &str = "polhode.BodyState";
 /// Field of the exact time in s.
 const TIME: u32 = 1;
 /// Its key on the wire: the field, of eight bytes.
-const TIME_KEY: u8 = (TIME << 3 | 1) as u8;
+const TIME_KEY: u8 = (TIME << 3 | 1).to_le_bytes()[0];
 /// Field of the time in whole ns, as `google.protobuf.Timestamp`: what the message is stamped with.
 const TIMESTAMP: u32 = 2;
 /// Its key on the wire: the field, length first.
-const TIMESTAMP_KEY: u8 = (TIMESTAMP << 3 | 2) as u8;
+const TIMESTAMP_KEY: u8 = (TIMESTAMP << 3 | 2).to_le_bytes()[0];
 /// Field of the first channel; the others follow in the order of [`Channel`], which only ever grows at its end.
 const FIRST_CHANNEL: u32 = 3;
 
