@@ -17,7 +17,7 @@ struct Scalars {
     momentum_drift: f64,
 }
 
-/// Five messages a sample: a transform, three vectors, the scalars. Chunks and compression about as polhode has them: 1 MiB,
+/// Five messages a sample: a transform, three vectors, the scalars. Chunks as polhode has them: 1 MiB,
 /// zstd 1, no threads; no arrows.
 pub fn record(plan: &Plan, folder: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let path = folder.join("run.mcap");
