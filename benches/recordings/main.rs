@@ -44,7 +44,10 @@ fn main() -> ExitCode {
         {
             println!("{:<28} {microseconds:>8.3}", format!("{name}, floor: {what}"));
         }
-        let share = |microseconds: f64| format!("{:.0} %", 100.0 * microseconds / whole.cpu);
+        let share = |microseconds: f64| match microseconds {
+            0.0 => "–".to_owned(),
+            _ => format!("{:.0} %", 100.0 * microseconds / whole.cpu),
+        };
         let packing = floors.packing().map(|(_, cost)| share(cost));
         let cells = [format!("{:.0}", floors.bytes), share(motion.cpu), share(floors.disk), share(floors.copy)];
         let cells = cells.into_iter().chain(packing).chain(["100 %".to_owned(), share(part.cpu)]);
