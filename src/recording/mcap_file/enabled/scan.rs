@@ -1,4 +1,4 @@
-use std::io::{Read, Seek};
+use std::io::{Error, Read, Seek};
 
 use mcap::records::{Record, op};
 use mcap::sans_io::linear_reader::{LinearReadEvent, LinearReader, LinearReaderOptions};
@@ -15,6 +15,7 @@ pub(super) struct Records<R> {
     file: R,
     reader: LinearReader,
     bytes_read: u64,
+    data_has_ended: bool,
 }
 
 impl<R: Read + Seek> Records<R> {
@@ -25,7 +26,7 @@ impl<R: Read + Seek> Records<R> {
             .with_validate_data_section_crc(true)
             .with_validate_summary_section_crc(true)
             .with_record_length_limit(LONGEST_RECORD);
-        Ok(Self { file, reader: LinearReader::new_with_options(options), bytes_read: 0 })
+        Ok(Self { file, reader: LinearReader::new_with_options(options), bytes_read: 0, data_has_ended: false })
     }
 
     /// Goes on by one step, which may bring a record: kind and fields. False at the end.
@@ -37,7 +38,14 @@ impl<R: Read + Seek> Records<R> {
                 self.bytes_read += read as u64;
                 self.reader.notify_read(read);
             }
-            Some(LinearReadEvent::Record { data, opcode }) => visit(opcode, data)?,
+            Some(LinearReadEvent::Record { data, opcode }) => {
+                self.data_has_ended |= opcode == op::DATA_END;
+                // Readers pass over records of kinds unknown to them, and without this one nothing is held to its checksum.
+                if opcode == op::FOOTER && !self.data_has_ended {
+                    return Err(McapError::Io(Error::other("its data has no end")));
+                }
+                visit(opcode, data)?;
+            }
         }
         Ok(true)
     }

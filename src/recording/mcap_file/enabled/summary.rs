@@ -1,5 +1,5 @@
 use std::collections::BTreeMap;
-use std::io::{Error, Read, Seek, SeekFrom};
+use std::io::{Read, Seek, SeekFrom};
 
 use mcap::records::{ChunkIndex, Record, op};
 use mcap::sans_io::summary_reader::{SummaryReadEvent, SummaryReader, SummaryReaderOptions};
