@@ -34,6 +34,20 @@ impl Samples {
         self.bodies.iter_mut().flat_map(BodySamples::columns_mut).for_each(Vec::clear);
     }
 
+    /// Adds the samples that follow, of the same bodies and channels. To what is empty, the first.
+    pub fn append(&mut self, next: &Self) {
+        if self.is_empty() {
+            self.clone_from(next);
+            return;
+        }
+        self.times_s.extend_from_slice(&next.times_s);
+        self.stamps_ns.extend_from_slice(&next.stamps_ns);
+        let columns = self.bodies.iter_mut().flat_map(BodySamples::columns_mut);
+        for (column, next) in columns.zip(next.bodies.iter().flat_map(BodySamples::columns)) {
+            column.extend_from_slice(next);
+        }
+    }
+
     /// Whether there is none.
     #[must_use]
     pub fn is_empty(&self) -> bool {

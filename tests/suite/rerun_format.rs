@@ -92,6 +92,37 @@ fn samples_read_back_to_the_bit() {
     }
 }
 
+/// The footer tells of every chunk and is made in memory: long recordings have long chunks.
+#[test]
+fn chunks_of_a_long_recording_are_longer_and_none_is_lost_where_it_is_given_up() {
+    let folder = tempdir().expect("a folder");
+    let (plan, count) = (single(30_000), |path: &Path| {
+        let mut recording = Recording::open(path).expect("samples");
+        let mut batches = Vec::new();
+        while let Some(samples) = recording.next_batch().expect("sound") {
+            batches.push(samples.len());
+        }
+        batches
+    });
+    let picture = picture(&plan);
+    let mut subject = Subject::drawn(&plan, &picture);
+    subject.sampling.samples = 5_000_000;
+    for is_given_up in [false, true] {
+        let path = folder.path().join("run.rrd");
+        let file = PartFile::create(&path, true).expect("a free name");
+        let mut sink = Box::new(RerunFile::create(&subject, file).expect("room"));
+        samples(&plan, 8192).iter().for_each(|samples| sink.write(samples).expect("room"));
+        let path = if is_given_up {
+            drop(sink);
+            folder.path().join("run.rrd.part")
+        } else {
+            sink.finish().expect("room").publish().expect("a free name");
+            path
+        };
+        assert_eq!(count(&path), [16384, 30_000 - 16384], "given up: {is_given_up}");
+    }
+}
+
 #[test]
 fn a_recording_gives_back_what_was_recorded() {
     let folder = tempdir().expect("a folder");

@@ -60,7 +60,8 @@ impl LiveViewer {
     ///
     /// # Errors
     /// If it has gone.
-    pub fn finish(self) -> Result<(), RecordingError> {
+    pub fn finish(mut self) -> Result<(), RecordingError> {
+        self.recording.complete()?;
         self.flush()
     }
 

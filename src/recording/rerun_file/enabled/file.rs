@@ -1,7 +1,8 @@
-use std::io::Write;
-use std::path::PathBuf;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
 
 use super::columns::{sim_time, timelines};
+use super::gathered::Gathered;
 use super::moving::Moving;
 use super::plots::Plots;
 use super::scaled::Scaled;
@@ -12,7 +13,11 @@ use crate::scenario::{Plan, nanoseconds};
 use crate::telemetry::Samples;
 
 /// An `.rrd` being written to a file.
-pub struct RerunFile(RerunStream<PartFile>);
+pub struct RerunFile {
+    path: PathBuf,
+    /// `None` once the file is handed back.
+    recording: Option<RerunStream<PartFile>>,
+}
 
 /// An `.rrd` being written: layout and constants at once, columns batch by batch, the footer at the end.
 pub(in crate::recording) struct RerunStream<W> {
@@ -20,6 +25,7 @@ pub(in crate::recording) struct RerunStream<W> {
     store: Store,
     plots: Plots,
     moving: Option<Moving>,
+    gathered: Gathered,
 }
 
 impl RerunFile {
@@ -29,7 +35,8 @@ impl RerunFile {
     /// If the file cannot be written.
     pub fn create(subject: &Subject, file: PartFile) -> Result<Self, RecordingError> {
         let path = file.path().to_path_buf();
-        RerunStream::begin(subject, file, path).map(Self)
+        let recording = Some(RerunStream::begin(subject, file, path.clone())?);
+        Ok(Self { path, recording })
     }
 }
 
@@ -67,14 +74,33 @@ impl<W: Write> RerunStream<W> {
             }
             None => None,
         };
-        Ok(Self { stream, store, plots, moving })
+        Ok(Self { stream, store, plots, moving, gathered: Gathered::new(subject) })
     }
 
-    /// Writes one batch.
+    /// Takes one batch.
     ///
     /// # Errors
     /// If it cannot be written.
     pub fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
+        if self.gathered.is_idle() {
+            return self.keep(samples);
+        }
+        if self.gathered.add(samples) { self.complete() } else { Ok(()) }
+    }
+
+    /// Writes what is still in memory.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn complete(&mut self) -> Result<(), RecordingError> {
+        let gathered = self.gathered.take();
+        let kept = self.keep(&gathered);
+        self.gathered.give_back(gathered);
+        kept
+    }
+
+    /// Writes a chunk's worth of samples.
+    fn keep(&mut self, samples: &Samples) -> Result<(), RecordingError> {
         if samples.is_empty() {
             return Ok(());
         }
@@ -91,12 +117,29 @@ impl<W: Write> RerunStream<W> {
 
 impl Sink for RerunFile {
     fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
-        self.0.write(samples)?;
-        self.0.stream.flush_if_due()
+        let Some(recording) = &mut self.recording else { return Err(gone(&self.path)) };
+        recording.write(samples)?;
+        recording.stream.flush_if_due()
     }
 
-    fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
-        self.0.stream.end()
+    fn finish(mut self: Box<Self>) -> Result<PartFile, RecordingError> {
+        let Some(mut recording) = self.recording.take() else { return Err(gone(&self.path)) };
+        recording.complete()?;
+        recording.stream.end()
+    }
+}
+
+fn gone(path: &Path) -> RecordingError {
+    RecordingError::Io { attempt: "write", path: path.into(), source: ErrorKind::BrokenPipe.into() }
+}
+
+impl Drop for RerunFile {
+    /// A run that is given up leaves what it has.
+    fn drop(&mut self) {
+        if let Some(recording) = &mut self.recording {
+            // Nobody is left to tell, and after a failure nothing is written.
+            let _ = recording.complete();
+        }
     }
 }
 

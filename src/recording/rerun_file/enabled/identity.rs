@@ -4,13 +4,29 @@ use uuid::Uuid;
 
 use crate::recording::Subject;
 
-/// The store of the samples. The viewer merges files with equal ids, and leaves out chunks whose ids it has: so equal ids
-/// mean equal contents. The id is a hash of what identifies the subject, of its name, of this crate's version and of all
-/// that it says of itself.
+/// The store of the samples.
 ///
 /// # Errors
 /// If Rerun refuses the name.
 pub(super) fn recording(subject: &Subject) -> Result<StoreId, String> {
+    Ok(StoreId::new(StoreKind::Recording, application(subject)?, RecordingId::from(hash(subject))))
+}
+
+/// The store of the layout.
+///
+/// # Errors
+/// If Rerun refuses the name.
+pub(super) fn blueprint(subject: &Subject) -> Result<StoreId, String> {
+    Ok(StoreId::new(
+        StoreKind::Blueprint,
+        application(subject)?,
+        RecordingId::from(format!("layout-{}", hash(subject))),
+    ))
+}
+
+/// The viewer merges stores with equal ids, and leaves out chunks whose ids it has: so equal ids mean equal contents. A
+/// hash of what identifies the subject, of its name, of this crate's version and of all that it says of itself.
+fn hash(subject: &Subject) -> String {
     let mut hash = Sha256::new();
     let facts = subject.heading.provenance.iter().flat_map(|(name, value)| [name.as_str(), value.as_str()]);
     let known = [env!("CARGO_PKG_VERSION"), subject.name.as_str(), subject.identity.as_str()];
@@ -20,15 +36,7 @@ pub(super) fn recording(subject: &Subject) -> Result<StoreId, String> {
     }
     let hash: [u8; 32] = hash.finalize().into();
     let id = hash.iter().take(16).fold(0_u128, |id, byte| id << 8 | u128::from(*byte));
-    Ok(StoreId::new(StoreKind::Recording, application(subject)?, RecordingId::from(format!("{id:032x}"))))
-}
-
-/// The store of the layout.
-///
-/// # Errors
-/// If Rerun refuses the name.
-pub(super) fn blueprint(subject: &Subject) -> Result<StoreId, String> {
-    Ok(StoreId::new(StoreKind::Blueprint, application(subject)?, RecordingId::from("layout".to_owned())))
+    format!("{id:032x}")
 }
 
 /// One per scene: the viewer keeps one layout per application, and layouts name the scene's bodies.

@@ -15,6 +15,7 @@ mod about;
 mod blueprint;
 mod columns;
 mod file;
+mod gathered;
 mod identity;
 mod layout;
 mod markers;
