@@ -11,7 +11,10 @@ use super::{Pair, Work};
 
 pub fn pairs(folder: &Path) -> Vec<Pair> {
     let usual = plan(None);
-    let every: Vec<&str> = Channel::ALL.iter().map(|channel| channel.row().name).collect();
+    // A T-handle has no axis of symmetry that could lean.
+    let has_meaning = |channel: &Channel| !matches!(channel, Channel::Tilt | Channel::PrecessionRate);
+    let every = Channel::ALL.into_iter().filter(has_meaning).map(|channel| channel.row().name);
+    let every: Vec<&str> = every.collect();
     let rates = ["angular_velocity", "angular_momentum_body"];
     let with_attitude = ["attitude", "angular_velocity", "angular_momentum_body"];
     let constant = ["attitude", "angular_velocity", "rotational_energy"];
