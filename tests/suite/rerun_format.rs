@@ -111,7 +111,9 @@ fn chunks_of_a_long_recording_are_longer_and_none_is_lost_where_it_is_given_up()
         let path = folder.path().join("run.rrd");
         let file = PartFile::create(&path, true).expect("a free name");
         let mut sink = Box::new(RerunFile::create(&subject, file).expect("room"));
-        samples(&plan, 8192).iter().for_each(|samples| sink.write(samples).expect("room"));
+        for samples in samples(&plan, 8192) {
+            sink.write(&samples).expect("room");
+        }
         let path = if is_given_up {
             drop(sink);
             folder.path().join("run.rrd.part")
