@@ -70,28 +70,31 @@ fn exactness(plan: &Plan) -> String {
 fn measured(certificate: &Certificate) -> String {
     /// m.
     const HAIR: f64 = 1e-4;
-    let reach = if certificate.is_whole {
-        "anywhere in this run".to_owned()
-    } else {
-        format!("up to {}", duration(certificate.covered_to_s))
-    };
-    let by = format!(
-        "measured at {} samples against the same motion computed with twice as many digits",
-        certificate.samples
-    );
+    let end = if certificate.is_whole { "the last".to_owned() } else { duration(certificate.covered_to_s) };
+    let reach = format!("at any of {} samples from the first to {end}", certificate.samples);
+    let by = "measured against the same motion computed with twice as many digits";
     match certificate.attitude_rad {
         Some(error) if error > 0.0 => {
             let far = kilometres(HAIR / error);
             format!(
-                "the attitude is at most {error:.0e} rad off {reach}, the angle of a hair's breadth seen from {far}; {by}"
+                "the attitude is at most {} rad off {reach}, the angle of a hair's breadth seen from {far}; {by}",
+                no_less(error)
             )
         }
         Some(_) => format!("the attitude is off by nothing that could be measured {reach}; {by}"),
         None => {
             let error = certificate.angular_velocity_relative;
-            format!("the angular velocity is at most {error:.0e} of its size off {reach}; {by}")
+            format!("the angular velocity is at most {} of its size off {reach}; {by}", no_less(error))
         }
     }
+}
+
+/// One digit, rounded up.
+fn no_less(error: f64) -> String {
+    let nearest = format!("{error:.0e}");
+    let (_, power) = nearest.split_once('e').unwrap_or((&nearest, "0"));
+    let number = |text: &str| text.parse::<f64>().unwrap_or(error);
+    if number(&nearest) >= error { nearest } else { format!("{:.0e}", error + 0.5 * number(&format!("1e{power}"))) }
 }
 
 /// A round distance, as people say it.
@@ -221,4 +224,17 @@ fn duration(seconds: f64) -> String {
     let units = [(86400.0, "d"), (3600.0, "h"), (60.0, "min")];
     let (size, unit) = units.into_iter().find(|(size, _)| seconds >= 2.0 * size).unwrap_or((1.0, "s"));
     format!("{} {unit}", number(seconds / size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_is_not_said_smaller_than_it_is() {
+        let said = [(5.0e-16, "5e-16"), (5.1e-16, "6e-16"), (5.9e-16, "6e-16"), (9.2e-16, "1e-15"), (1.04, "2e0")];
+        for (error, text) in said {
+            assert_eq!(no_less(error), text);
+        }
+    }
 }
