@@ -229,6 +229,11 @@ pub(super) struct Overrides {
 }
 
 impl RunArguments {
+    /// Whether something with pictures is asked for: they cost a preview of the run.
+    pub fn draws(&self) -> bool {
+        self.live.is_some() || self.formats().iter().any(|format| *format != FileFormat::Csv)
+    }
+
     /// The formats to write.
     pub fn formats(&self) -> &[FileFormat] {
         let is_left_out = self.format.is_empty() && self.live.is_none();

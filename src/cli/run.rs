@@ -93,14 +93,20 @@ fn plans(arguments: &RunArguments) -> Result<Vec<Plan>, RunError> {
         }
         plans.push(plan);
     }
-    std::fs::create_dir_all(&arguments.out)
-        .map_err(|source| RunError::Folder { path: arguments.out.clone(), source })?;
+    if !arguments.formats().is_empty() {
+        std::fs::create_dir_all(&arguments.out)
+            .map_err(|source| RunError::Folder { path: arguments.out.clone(), source })?;
+    }
     Ok(plans)
 }
 
+/// Names are claimed first: one that is taken must not cost the time of checks and certificates.
 fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<Report, RunError> {
-    let outcomes = plan.measure_checks()?;
-    let mut plan = plan.with_outcomes(outcomes);
+    let layout = layout_file(&plan, arguments)?;
+    let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));
+    let paths: Vec<PathBuf> = arguments.formats().iter().map(path).collect();
+    let files = Recorder::claim(&paths, arguments.force)?;
+    let mut plan = plan.checked()?;
     if arguments.certify {
         let certificates = certify(&plan).map_err(RunError::Certificate)?;
         for (body, certificate) in plan.bodies.iter_mut().zip(certificates) {
@@ -109,20 +115,20 @@ fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<R
     }
     let started = Instant::now();
     let bar = progress.bar(&plan.name, plan.grid.len());
-    let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));
-    let paths: Vec<PathBuf> = arguments.formats().iter().map(path).collect();
-    let mut live = live_viewer(&plan, arguments)?;
-    let layout = layout_file(&plan, arguments)?;
-    let mut recorder = Recorder::create(&plan, &paths, arguments.force)?;
+    let picture = arguments.draws().then(|| Picture::of(&plan)).transpose().map_err(RecordingError::from)?;
+    let subject = picture.as_ref().map_or_else(|| Subject::of(&plan), |picture| Subject::drawn(&plan, picture));
+    let viewer = arguments.live.as_ref().map(|address| LiveViewer::connect(&subject, address));
+    let mut viewer = viewer.transpose()?;
+    let mut recorder = Recorder::begin(&subject, files)?;
     let mut run = plan.start()?;
     while let Some(samples) = run.next_batch()? {
         recorder.write(samples)?;
-        live.as_mut().map_or(Ok(()), |viewer| viewer.write(samples))?;
+        viewer.as_mut().map_or(Ok(()), |viewer| viewer.write(samples))?;
         bar.inc(samples.len() as u64);
     }
     let effort = run.effort();
     let files = recorder.finish()?;
-    live.map_or(Ok(()), LiveViewer::finish)?;
+    viewer.map_or(Ok(()), LiveViewer::finish)?;
     if let Some(file) = layout {
         layout::write(&plan, file)?;
     }
@@ -130,12 +136,6 @@ fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<R
     let wall = started.elapsed();
     drop(run);
     Ok(Report { plan, files, effort, wall })
-}
-
-/// The viewer that looks on, if one was asked for.
-fn live_viewer(plan: &Plan, arguments: &RunArguments) -> Result<Option<LiveViewer>, RecordingError> {
-    let Some(address) = &arguments.live else { return Ok(None) };
-    LiveViewer::connect(&Subject::drawn(plan, &Picture::of(plan)?), address).map(Some)
 }
 
 /// The layout beside an `.mcap`, made before anything is written so that a name that is taken leaves nothing behind.

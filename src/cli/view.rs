@@ -9,6 +9,7 @@ use super::args::ViewArguments;
 use super::convert::{has_extension, say_why_there_is_no_picture};
 use super::execute::{Outcome, scenario};
 use super::output::remark;
+use crate::propagation::PropagationError;
 use crate::recording::{Conversion, Recorder, RecordingError};
 use crate::scenario::{Plan, ScenarioError};
 
@@ -22,6 +23,8 @@ enum ViewError {
     Scenario(#[from] ScenarioError),
     #[error(transparent)]
     Recording(#[from] RecordingError),
+    #[error("cannot measure the checks: {0}")]
+    Checks(#[from] PropagationError),
     #[error(
         "there is no Rerun viewer (`rerun`) on PATH: `pip install rerun-sdk=={VERSION}` brings it, or \
          `cargo install rerun-cli@{VERSION} --locked`"
@@ -105,7 +108,7 @@ fn converted(path: &Path, folder: &Path) -> Result<PathBuf, ViewError> {
 
 /// A run of a scene as an `.rrd`.
 fn recorded(name: &str, folder: &Path) -> Result<PathBuf, ViewError> {
-    let plan = Plan::new(&scenario(name, &[])?)?;
+    let plan = Plan::new(&scenario(name, &[])?)?.checked()?;
     let target = folder.join(format!("{}.rrd", plan.name));
     let mut recorder = Recorder::create(&plan, &[&target], false)?;
     let mut run = plan.start()?;

@@ -33,11 +33,24 @@ impl Recorder {
     /// If a path has another extension, is named twice, exists (unless `overwrite`), is being written by another run,
     /// or cannot be created; if this build leaves the format out; if the motion cannot be looked over for a picture.
     pub fn create(plan: &Plan, paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Self, RecordingError> {
-        let files = files(paths, overwrite)?;
+        let files = Self::claim(paths, overwrite)?;
         // Scales and camera cost a preview of the run.
         let picture = draws(&files).then(|| Picture::of(plan)).transpose()?;
         let subject = picture.as_ref().map_or_else(|| Subject::of(plan), |picture| Subject::drawn(plan, picture));
         Self::begin(&subject, files)
+    }
+
+    /// A part file for each path, once all of the paths are found right: for what is found out before a recording can
+    /// [`begin`](Self::begin), so that names that are taken do not cost its time.
+    ///
+    /// # Errors
+    /// If a path has another extension, is named twice, exists (unless `overwrite`), is being written by another run,
+    /// or cannot be created.
+    pub fn claim(paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Vec<PartFile>, RecordingError> {
+        let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
+        refuse_duplicates(&paths)?;
+        paths.iter().try_for_each(|path| Format::of(path).map(drop))?;
+        paths.iter().map(|path| PartFile::create(path, overwrite)).collect()
     }
 
     /// Begins a recording of `subject` in each of `files`, the format by the extension that it will have.
@@ -74,14 +87,6 @@ impl Recorder {
         files.iter_mut().try_for_each(PartFile::sync)?;
         files.into_iter().map(publish).collect()
     }
-}
-
-/// A part file for each path, once all of the paths are found right.
-pub(super) fn files(paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Vec<PartFile>, RecordingError> {
-    let paths: Vec<&Path> = paths.iter().map(AsRef::as_ref).collect();
-    refuse_duplicates(&paths)?;
-    paths.iter().try_for_each(|path| Format::of(path).map(drop))?;
-    paths.iter().map(|path| PartFile::create(path, overwrite)).collect()
 }
 
 /// Whether one of the files will hold pictures.

@@ -1,4 +1,5 @@
 use super::{CheckOutcome, Plan};
+use crate::propagation::PropagationError;
 
 /// Something that happens at one instant.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +28,15 @@ pub enum EventKind {
 }
 
 impl Plan {
+    /// The plan with its checks measured, as [`Self::with_outcomes`] holds what they found.
+    ///
+    /// # Errors
+    /// As [`Self::measure_checks`].
+    pub fn checked(self) -> Result<Self, PropagationError> {
+        let outcomes = self.measure_checks()?;
+        Ok(self.with_outcomes(outcomes))
+    }
+
     /// The plan with what its checks have found, which joins the events at the time that each check looks at.
     ///
     /// `outcomes` are those of [`Plan::measure_checks`], in the order of the checks.

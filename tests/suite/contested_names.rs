@@ -9,7 +9,7 @@ use std::process::{Child, Command, Output, Stdio};
 use polhode::recording::contents;
 use tempfile::{TempDir, tempdir};
 
-const SCENE: &str = "
+pub const SCENE: &str = "
 title = \"A tumbling body\"
 duration_s = 1.0
 sample_every_s = 1e-3
@@ -20,7 +20,7 @@ angular_velocity_rad_s = [0.1, 3.0, 0.2]
 ";
 const RECORDINGS: [&str; 3] = ["scene.csv", "scene.mcap", "scene.rrd"];
 
-fn folder() -> TempDir {
+pub fn folder() -> TempDir {
     let folder = tempdir().expect("a folder");
     fs::write(folder.path().join("scene.toml"), SCENE).expect("room");
     folder

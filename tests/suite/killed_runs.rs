@@ -7,24 +7,10 @@ use std::process::{Child, Command, Stdio};
 use polhode::recording::{Recording, RecordingError, contents};
 use polhode::scenario::{Plan, Scenario};
 use polhode::telemetry::{BodySamples, Samples};
-use tempfile::{TempDir, tempdir};
 
-const SCENE: &str = "
-title = \"A tumbling body\"
-duration_s = 1.0
-sample_every_s = 1e-3
+use crate::contested_names::{SCENE, folder};
 
-[[body]]
-principal_moments_kg_m2 = [1.0, 2.0, 2.5]
-angular_velocity_rad_s = [0.1, 3.0, 0.2]
-";
 const FORMATS: [&str; 3] = ["mcap", "rrd", "csv"];
-
-fn folder() -> TempDir {
-    let folder = tempdir().expect("a folder");
-    fs::write(folder.path().join("scene.toml"), SCENE).expect("room");
-    folder
-}
 
 fn start(folder: &Path, flags: &[&str]) -> Child {
     Command::new(env!("CARGO_BIN_EXE_polhode"))

@@ -126,9 +126,8 @@ fn one_process_writes_the_bytes_of_another_each_time() {
     for scene in library::names() {
         for folder in &folders[1..] {
             // As the program does, whose recordings say what checks have found.
-            let plan = plan(scene, &[]);
-            let outcomes = plan.measure_checks().expect("a motion");
-            here(&plan.with_outcomes(outcomes), folder.path(), &["mcap", "rrd", "csv"], Plan::BATCH);
+            let plan = plan(scene, &[]).checked().expect("a motion");
+            here(&plan, folder.path(), &["mcap", "rrd", "csv"], Plan::BATCH);
         }
     }
     let program = by_the_program(folders[0].path(), ".", &[]);

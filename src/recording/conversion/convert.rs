@@ -6,7 +6,7 @@ use super::plain::{converted, plain};
 use super::scene;
 use super::shorten::what_was_kept;
 use crate::recording::picture::Picture;
-use crate::recording::recorder::{draws, files};
+use crate::recording::recorder::draws;
 use crate::recording::{Finished, PartFile, Recorder, Recording, RecordingError, Subject, Survey, subject};
 use crate::scenario::Plan;
 
@@ -119,7 +119,7 @@ impl Conversion {
     /// # Errors
     /// As [`Recorder::create`], [`Recorder::finish`] and [`Recording::next_batch`].
     pub fn write(&self, paths: &[impl AsRef<Path>], overwrite: bool) -> Result<Vec<Finished>, RecordingError> {
-        self.write_to(files(paths, overwrite)?)
+        self.write_to(Recorder::claim(paths, overwrite)?)
     }
 
     pub(super) fn write_to(&self, files: Vec<PartFile>) -> Result<Vec<Finished>, RecordingError> {

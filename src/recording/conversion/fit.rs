@@ -21,8 +21,7 @@ pub fn fitted(mut plan: Plan, survey: &Survey, is_cut_off: bool) -> Result<Plan,
         body.certificate = Certificate::from_facts(&recorded.certificate);
     }
     if survey.heading.provenance.iter().any(|(name, _)| name.starts_with(CHECK)) {
-        let outcomes = plan.measure_checks().map_err(|error| format!("its checks cannot be measured: {error}"))?;
-        plan = plan.with_outcomes(outcomes);
+        plan = plan.checked().map_err(|error| format!("its checks cannot be measured: {error}"))?;
     }
     let was_cut_off = survey.heading.fact(RECOVERED).is_some();
     let is_shorter = survey.sampling().samples < plan.grid.len();
