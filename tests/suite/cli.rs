@@ -185,7 +185,7 @@ fn recordings_say_what_the_checks_have_found() {
     assert_eq!(polhode(folder.path(), &["run", "scene.toml"]).status.code(), Some(0));
     for name in ["recordings/scene.mcap", "recordings/scene.rrd"] {
         let told = stdout(&polhode(folder.path(), &["inspect", name]));
-        let finding = "angular_velocity z at 1 s 3 rad/s, expected 3 ± 1e-12: passed";
+        let finding = "angular_velocity z at 1 s: 3.0 rad/s, expected 3.0 ± 1e-12: passed";
         assert!(told.contains("check.001") && told.contains(finding), "{name}: {told}");
     }
 }

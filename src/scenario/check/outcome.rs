@@ -91,7 +91,7 @@ impl CheckOutcome {
         let Self { name, expected, measured, tolerance, unit, passed } = self;
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         let verdict = if *passed { "passed" } else { "FAILED" };
-        format!("{name} {measured:?}{unit}, expected {expected:?} ± {tolerance:e}: {verdict}")
+        format!("{name}: {measured:?}{unit}, expected {expected:?} ± {tolerance:e}: {verdict}")
     }
 }
 
