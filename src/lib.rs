@@ -45,12 +45,14 @@
 //! * [`telemetry`]: named channels with unit and frame, as columns.
 //! * [`scenario`]: what was asked, what will be done, what is happening, and what it must show.
 //! * [`recording`]: columns to `.mcap`, `.rrd` and `.csv`, whole or not at all.
+//! * [`comparison`]: are two recordings the same motion? is one of them true?
+//! * `plot` (feature): plots and pages, without a viewer.
 //! * [`study`]: how good a run is, and what each method costs for how much accuracy.
 //!
 //! # Features
 //!
 //! `serde` reads scenes and meshes from files, `mcap` and `rerun` write those formats, `parallel` runs scenes side by side,
-//! `cli` (default) is the program and takes them all.
+//! `plot` draws, `golden` lets another crate's tests hold its simulation against a recording, `cli` (default) is the program and takes them all.
 //!
 //! # Conventions
 //!
@@ -69,6 +71,11 @@ pub mod telemetry;
 pub mod scenario;
 
 pub mod recording;
+
+pub mod comparison;
+
+#[cfg(feature = "plot")]
+pub mod plot;
 
 pub mod study;
 

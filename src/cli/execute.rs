@@ -2,9 +2,10 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
+use super::Arguments;
 use super::args::Command;
+use super::commands::{bench, convert, inspect, list, plan, recover, run, view};
 use super::output::remark;
-use super::{Arguments, bench, convert, inspect, list, plan, recover, run, view};
 use crate::scenario::{Scenario, ScenarioError};
 
 /// How a command ended.

@@ -4,8 +4,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up.
-const FLOORS: [&str; 10] =
-    ["numerics", "body", "dynamics", "propagation", "telemetry", "scenario", "recording", "comparison", "study", "cli"];
+const FLOORS: [&str; 11] = [
+    "numerics",
+    "body",
+    "dynamics",
+    "propagation",
+    "telemetry",
+    "scenario",
+    "recording",
+    "comparison",
+    "plot",
+    "study",
+    "cli",
+];
 
 #[test]
 fn imports_point_down() {

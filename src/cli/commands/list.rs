@@ -2,10 +2,10 @@ use std::io;
 
 use serde_json::{Value, json};
 
-use super::args::ListArguments;
-use super::execute::Outcome;
-use super::output::{print, print_json, remark};
-use super::table::Table;
+use crate::cli::args::ListArguments;
+use crate::cli::execute::Outcome;
+use crate::cli::output::{print, print_json, remark};
+use crate::cli::table::Table;
 use crate::scenario::{Scenario, library};
 
 /// Names and titles of the scenes that come with the program.

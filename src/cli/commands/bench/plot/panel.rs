@@ -4,7 +4,7 @@ use plotters::style::Color;
 
 use super::legend::{self, Entry, Mark};
 use super::scale::{Scale, power_of_ten};
-use crate::cli::bench::clock;
+use crate::cli::commands::bench::clock;
 use crate::scenario::Method;
 use crate::study::{Point, WorkPrecision, pareto_front};
 

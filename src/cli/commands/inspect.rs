@@ -2,10 +2,10 @@ use std::io;
 
 use serde_json::{Map, Value, json};
 
-use super::args::InspectArguments;
-use super::execute::Outcome;
-use super::output::{print, print_json, remark};
-use super::table::{Table, grouped};
+use crate::cli::args::InspectArguments;
+use crate::cli::execute::Outcome;
+use crate::cli::output::{print, print_json, remark};
+use crate::cli::table::{Table, grouped};
 use crate::recording::{Contents, Entry, Range, Survey, contents};
 
 /// Shows what is in a recording.

@@ -5,10 +5,10 @@ use std::process::{Command, ExitStatus};
 
 use thiserror::Error;
 
-use super::args::ViewArguments;
 use super::convert::{has_extension, say_why_there_is_no_picture};
-use super::execute::{Outcome, scenario};
-use super::output::remark;
+use crate::cli::args::ViewArguments;
+use crate::cli::execute::{Outcome, scenario};
+use crate::cli::output::remark;
 use crate::propagation::PropagationError;
 use crate::recording::{Conversion, Recorder, RecordingError};
 use crate::scenario::{Plan, ScenarioError};

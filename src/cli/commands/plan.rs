@@ -2,11 +2,11 @@ use std::io;
 
 use serde_json::{Value, json};
 
-use super::args::PlanArguments;
-use super::execute::{Outcome, scenario};
-use super::output::{print, print_json, remark};
-use super::report::sampling;
-use super::table::Table;
+use crate::cli::args::PlanArguments;
+use crate::cli::execute::{Outcome, scenario};
+use crate::cli::output::{print, print_json, remark};
+use crate::cli::report::sampling;
+use crate::cli::table::Table;
 use crate::scenario::{Path, Plan, PlannedBody};
 
 /// Shows how scenes would be run.

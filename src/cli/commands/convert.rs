@@ -4,12 +4,12 @@ use std::path::Path;
 use serde_json::json;
 use thiserror::Error;
 
-use super::args::ConvertArguments;
-use super::execute::{Outcome, scenario};
-use super::layout;
-use super::output::{print, print_json, remark};
-use super::report::{files_as_json, files_as_text};
-use super::table::grouped;
+use crate::cli::args::ConvertArguments;
+use crate::cli::execute::{Outcome, scenario};
+use crate::cli::layout;
+use crate::cli::output::{print, print_json, remark};
+use crate::cli::report::{files_as_json, files_as_text};
+use crate::cli::table::grouped;
 use crate::recording::{Conversion, Finished, PartFile, RecordingError};
 use crate::scenario::{Plan, ScenarioError};
 

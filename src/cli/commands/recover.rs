@@ -3,11 +3,11 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::args::RecoverArguments;
-use super::execute::Outcome;
-use super::output::{print, print_json, remark};
-use super::report::{files_as_json, files_as_text};
-use super::table::grouped;
+use crate::cli::args::RecoverArguments;
+use crate::cli::execute::Outcome;
+use crate::cli::output::{print, print_json, remark};
+use crate::cli::report::{files_as_json, files_as_text};
+use crate::cli::table::grouped;
 use crate::recording::{Recovered, recover};
 
 /// Makes a whole recording of what a killed run left.

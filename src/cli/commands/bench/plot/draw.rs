@@ -5,11 +5,11 @@ use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 
 use super::panel;
-use crate::cli::bench::execute::Studies;
+use crate::cli::commands::bench::execute::Studies;
 use crate::study::WorkPrecision;
 
 /// `DejaVu` Sans: Latin, Greek, superscripts. Text looks the same everywhere, and no system needs to have a font.
-const FONT: &[u8] = include_bytes!("../../fonts/DejaVuSans-subset.ttf");
+const FONT: &[u8] = include_bytes!("../../../../plot/fonts/DejaVuSans-subset.ttf");
 /// Of one panel, pixels.
 const PANEL: (u32, u32) = (1140, 640);
 

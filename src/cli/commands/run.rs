@@ -6,12 +6,12 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use thiserror::Error;
 
-use super::args::{FileFormat, RunArguments};
-use super::execute::{Outcome, scenario};
-use super::layout;
-use super::output::{print, print_json, remark};
-use super::progress::Progress;
-use super::report::Report;
+use crate::cli::args::{FileFormat, RunArguments};
+use crate::cli::execute::{Outcome, scenario};
+use crate::cli::layout;
+use crate::cli::output::{print, print_json, remark};
+use crate::cli::progress::Progress;
+use crate::cli::report::Report;
 use crate::propagation::PropagationError;
 use crate::recording::live::LiveViewer;
 use crate::recording::picture::Picture;

@@ -1,0 +1,69 @@
+//! What is asked: flags and their help, one file for each group of commands.
+
+mod bench;
+mod overrides;
+mod recordings;
+mod run;
+mod scenes;
+
+use clap::{Parser, Subcommand};
+
+pub(super) use bench::BenchArguments;
+pub(super) use overrides::Overrides;
+pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
+pub(super) use run::{FileFormat, RunArguments};
+pub(super) use scenes::{ListArguments, PlanArguments};
+
+const EXAMPLES: &str = "\
+Examples:
+  polhode list                                    what scenes there are
+  polhode run dzhanibekov                         recordings/dzhanibekov.mcap, .layout.json and .rrd
+  polhode run --all --out out --force             every scene
+  polhode run my_scene.toml --format csv          a scene of your own, as a table
+  polhode run dzhanibekov --duration 90 --sample-every 0.001
+  polhode run my_scene.toml --set 'body.0.angular_velocity_rad_s=[0, 6, 0.1]'
+  polhode run lagrange_top --certify              with its measured error, printed and recorded
+  polhode plan lagrange_top                       which method, why, and what is skipped
+  polhode run dzhanibekov --live                  into a Rerun viewer that is open
+  polhode bench dzhanibekov --plot costs.svg      what each method costs for how much accuracy
+  polhode inspect recordings/dzhanibekov.mcap     what is in a recording
+  polhode convert run.mcap run.rrd run.csv        the same recording in other formats, to the bit
+  polhode recover recordings/run.mcap.part        a whole recording of what a killed run left
+  polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
+
+Exit codes: 0 done, 1 a check failed or a certified tolerance was missed, 2 could not (usage, input, file).";
+
+/// Exact motions of rotating rigid bodies, recorded for Rerun and Foxglove.
+#[derive(Debug, Parser)]
+#[command(name = "polhode", version, after_help = EXAMPLES)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// List the scenes that come with the program.
+    List(ListArguments),
+    /// Run scenes, record them, measure their checks.
+    #[command(after_help = EXAMPLES)]
+    Run(RunArguments),
+    /// Show how a scene would be run: each body's path, its reason, and what is skipped.
+    Plan(PlanArguments),
+    /// Measure what each method costs for how much accuracy, against a reference.
+    Bench(BenchArguments),
+    /// Show what is in a recording (.mcap, .rrd, .csv).
+    Inspect(InspectArguments),
+    /// Write a recording anew in other formats, every channel to the bit.
+    ///
+    /// Where the recording carries its scene (.mcap and .rrd do), the new one has pictures, layout and log: it is what a run
+    /// to that format gives. Otherwise it has columns and words only.
+    Convert(ConvertArguments),
+    /// Make a whole recording of the .part that a killed run left, and say how many samples it kept.
+    Recover(RecoverArguments),
+    /// Open the Rerun viewer found on PATH on a recording or a scene.
+    ///
+    /// An .mcap, a .csv and a scene are first written as an .rrd to the system's folder for temporary files, where it stays
+    /// until the viewer is closed.
+    View(ViewArguments),
+}

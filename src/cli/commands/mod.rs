@@ -1,0 +1,10 @@
+//! What can be asked of the program: a file or folder for each command.
+
+pub mod bench;
+pub mod convert;
+pub mod inspect;
+pub mod list;
+pub mod plan;
+pub mod recover;
+pub mod run;
+pub mod view;

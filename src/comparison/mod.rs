@@ -1,0 +1,1 @@
+//! Are two recordings the same motion? Is one of them true?
