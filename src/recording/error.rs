@@ -40,6 +40,14 @@ pub enum RecordingError {
         /// What is wrong with it, and where.
         reason: String,
     },
+    /// What a file does not say of itself, and the mapping does not either, or not so that it fits.
+    #[error("{path} and its mapping: {reason}", path = path.display())]
+    Mapping {
+        /// Which file.
+        path: PathBuf,
+        /// The key, the value met and the rule.
+        reason: String,
+    },
     /// An extension that stands for no format.
     #[error("{path}: a recording ends in .mcap, .rrd or .csv", path = path.display())]
     UnknownFormat {

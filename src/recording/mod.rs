@@ -3,9 +3,10 @@
 //! A [`Recorder`] gives each file its [`Sink`] by the file's extension; a [`PartFile`] gets its name only when all the
 //! run's files are complete. [`contents`] tells what is in a recording, finished or not;
 //! a [`Recording`] reads its columns back, a [`Conversion`] writes them anew, [`recover`] makes a whole recording of what
-//! a killed run left. A [`LiveViewer`](live::LiveViewer) shows a run that goes on.
+//! a killed run left. [`foreign::observe`] reads what any program recorded of bodies that turn. A [`LiveViewer`](live::LiveViewer) shows a run that goes on.
 
 pub mod csv_file;
+pub mod foreign;
 pub mod live;
 pub mod mcap_file;
 pub mod picture;

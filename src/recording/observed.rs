@@ -27,12 +27,14 @@ pub struct Track<const N: usize> {
     pub columns: [Vec<f64>; N],
     /// In which axes the file says it is; `None` where it does not say.
     pub axes: Option<Axes>,
-    /// Half a unit in the last place of what the file keeps, relative: 2⁻⁵³ of an f64, 2⁻²⁴ of an f32.
+    /// Half a unit in the last place of what the file keeps, relative to the largest of the values: 2⁻⁵³ of an f64, 2⁻²⁴
+    /// of an f32, of a text what its digits show.
     pub resolution: f64,
 }
 
 /// The axes in which a vector is told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Axes {
     /// Fixed in the body.
     Body,

@@ -19,6 +19,7 @@ mod faults;
 mod fixed_step;
 mod floors;
 mod forced_oracle;
+mod foreign_tables;
 mod free_laws;
 mod full_disks;
 mod hostile;

@@ -63,6 +63,11 @@ pub(super) fn heading(line: &str) -> Result<Heading, String> {
     Ok(Heading { bodies, ..Heading::default() })
 }
 
+/// Whether a line names columns as [`header`] does.
+pub(in crate::recording) fn names_own_columns(line: &str) -> bool {
+    heading(line).is_ok_and(|heading| !heading.bodies.is_empty())
+}
+
 fn first_column_of(column: &str) -> Option<Channel> {
     Channel::ALL.into_iter().find(|channel| channel.row().column_name(0) == column)
 }

@@ -9,19 +9,26 @@ use crate::recording::format::is_part;
 const LONGEST: u64 = 1 << 24;
 
 /// Lines of a file, one at a time.
-pub(super) struct Lines {
+pub(in crate::recording) struct Lines {
     path: PathBuf,
     reader: BufReader<File>,
     line: String,
     number: u64,
     columns: usize,
+    last_may_lack_its_end: bool,
 }
 
 impl Lines {
     pub fn open(path: &Path) -> Result<Self, RecordingError> {
         let file = File::open(path).map_err(|source| io_error(path, source))?;
         let reader = BufReader::with_capacity(1 << 16, file);
-        Ok(Self { path: path.into(), reader, line: String::new(), number: 0, columns: 0 })
+        let (line, number, columns, last_may_lack_its_end) = (String::new(), 0, 0, false);
+        Ok(Self { path: path.into(), reader, line, number, columns, last_may_lack_its_end })
+    }
+
+    /// Lines of a program that may leave the last one without its end.
+    pub fn open_foreign(path: &Path) -> Result<Self, RecordingError> {
+        Ok(Self { last_may_lack_its_end: true, ..Self::open(path)? })
     }
 
     /// Goes to the next whole line; false at the end. What a `.part` has after its last whole line is left.
@@ -31,10 +38,11 @@ impl Lines {
         bytes.clear();
         let read = self.reader.by_ref().take(LONGEST).read_until(b'\n', &mut bytes);
         let read = read.map_err(|source| io_error(&self.path, source))? as u64;
-        let is_whole = bytes.pop_if(|last| *last == b'\n').is_some();
+        let mut is_whole = bytes.pop_if(|last| *last == b'\n').is_some();
         if !is_whole && read == LONGEST {
             return Err(self.wrong("has more than 16 MiB"));
         }
+        is_whole |= self.last_may_lack_its_end && read > 0;
         if !is_whole && read > 0 && !self.is_part() {
             return Err(self.wrong("is cut off"));
         }

@@ -9,5 +9,7 @@ mod lines;
 mod read;
 mod write;
 
+pub(super) use header::names_own_columns;
+pub(super) use lines::Lines;
 pub(super) use read::open;
 pub use write::CsvFile;
