@@ -19,6 +19,12 @@ mod faults;
 mod fixed_step;
 mod floors;
 mod forced_oracle;
+#[cfg(any(feature = "mcap", feature = "rerun"))]
+mod foreign_containers;
+#[cfg(feature = "serde")]
+mod foreign_engines;
+#[cfg(feature = "mcap")]
+mod foreign_messages;
 mod foreign_tables;
 mod free_laws;
 mod full_disks;

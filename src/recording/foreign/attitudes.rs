@@ -64,7 +64,9 @@ pub(in crate::recording) fn continue_signs(columns: &mut [Vec<f64>; 4]) {
     for index in 1..columns[0].len() {
         let dot: f64 = columns.iter().map(|column| column[index] * column[index - 1]).sum();
         if dot < 0.0 {
-            columns.iter_mut().for_each(|column| column[index] = -column[index]);
+            for column in columns.iter_mut() {
+                column[index] = -column[index];
+            }
         }
     }
 }

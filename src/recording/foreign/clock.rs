@@ -1,19 +1,5 @@
-/// Up to here a whole number of ns is exact as an f64, and so is s to the last place: a hundred days.
-const EXACT_NS: u64 = 1 << 53;
-/// The same in s.
+/// Up to here, s, a whole number of ns is exact as an f64, and so is a time to its last place: a hundred days.
 const EXACT_S: f64 = 9_007_199.254_740_992;
-
-/// What to take off stamps in ns so that they become seconds without loss: nothing, unless they are those of an absolute
-/// clock.
-pub(in crate::recording) fn start_of(first_ns: i64) -> i64 {
-    if first_ns.unsigned_abs() < EXACT_NS { 0 } else { first_ns }
-}
-
-/// ns since `start_ns` in s, rounded once.
-#[expect(clippy::cast_precision_loss, reason = "a recording is shorter than a hundred days, or is rounded")]
-pub(in crate::recording) fn seconds(stamp_ns: i64, start_ns: i64) -> f64 {
-    (i128::from(stamp_ns) - i128::from(start_ns)) as f64 / 1e9
-}
 
 /// Reads times as decimals.
 #[derive(Debug, Clone, Copy)]
@@ -89,10 +75,10 @@ mod tests {
     fn absolute_times_keep_their_nanoseconds() {
         let clock = DecimalClock::new(0, "1700000000.123456789").expect("a time");
         assert_eq!(clock.start_ns(), 1_700_000_000_000_000_000);
-        assert_eq!(clock.seconds("1700000001.000000001"), Some(1.000000001));
+        assert_eq!(clock.seconds("1700000001.000000001"), Some(1.000_000_001));
         assert_eq!(clock.seconds("1.70000000150e9"), Some(1.5));
         let clock = DecimalClock::new(9, "1700000000123456789").expect("a time");
-        assert_eq!(clock.seconds("1700000000123456790"), Some(0.12345679));
+        assert_eq!(clock.seconds("1700000000123456790"), Some(0.123_456_79));
     }
 
     #[test]

@@ -88,7 +88,7 @@ pub enum Separator {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(rename_all = "snake_case"))]
 pub enum Sense {
-    /// It makes world components of body components: v_world = R v_body, q v_body q*.
+    /// It makes world components of body components: `v_world = R v_body`, `q v_body q*`.
     #[default]
     WorldFromBody,
     /// It makes body components of world components.

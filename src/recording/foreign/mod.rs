@@ -4,10 +4,12 @@
 //! ROS 2), an `.rrd` of transforms, or a table of numbers as text, and gives one [`Observed`](super::Observed) for each
 //! body. A [`Mapping`] says what a file cannot say of itself: which column is what, in which unit and order.
 
-mod attitudes;
+pub(super) mod attitudes;
 mod clock;
 #[cfg(feature = "serde")]
 mod from_text;
+#[cfg(any(feature = "mcap", feature = "rerun"))]
+pub(super) mod gathering;
 mod mapping;
 mod observe;
 mod own;

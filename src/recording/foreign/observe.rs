@@ -5,7 +5,7 @@ use std::path::Path;
 use super::mapping::Mapping;
 use super::{own, table};
 use crate::recording::format::{Format, is_part};
-use crate::recording::{Observed, Recording, RecordingError};
+use crate::recording::{Observed, Recording, RecordingError, mcap_file, rerun_file};
 
 /// What a file says of bodies that turn.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -35,10 +35,13 @@ pub fn observe(path: &Path, mapping: &Mapping) -> Result<Observation, RecordingE
     if matches!(name.extension().and_then(OsStr::to_str), Some("tsv" | "txt" | "dat")) {
         return table::observe(path, mapping);
     }
-    match Format::of(&name)? {
-        Format::Csv if mapping.is_of_a_table() || !table::is_own(path)? => table::observe(path, mapping),
-        _ => own::observe(&mut Recording::open(path)?),
-    }
+    let foreign = match Format::of(&name)? {
+        Format::Csv if mapping.is_of_a_table() || !table::is_own(path)? => Some(table::observe(path, mapping)?),
+        Format::Mcap => mcap_file::observe(path, mapping)?,
+        Format::Rrd => rerun_file::observe(path, mapping)?,
+        Format::Csv => None,
+    };
+    foreign.map_or_else(|| own::observe(&mut Recording::open(path)?), Ok)
 }
 
 impl Observation {

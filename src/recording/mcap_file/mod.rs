@@ -26,6 +26,6 @@ pub use disabled::{McapFile, contents};
 pub use enabled::{McapFile, contents};
 
 #[cfg(not(feature = "mcap"))]
-pub(super) use disabled::open;
+pub(super) use disabled::{observe, open};
 #[cfg(feature = "mcap")]
-pub(super) use enabled::open;
+pub(super) use enabled::{observe, open};

@@ -1,5 +1,6 @@
 use std::path::Path;
 
+use crate::recording::foreign::{Mapping, Observation};
 use crate::recording::recorded::Opened;
 use crate::recording::{Contents, PartFile, RecordingError, Sink, Subject};
 use crate::telemetry::Samples;
@@ -42,6 +43,14 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
 /// # Errors
 /// Always [`RecordingError::FormatAbsent`].
 pub(in crate::recording) fn open(path: &Path) -> Result<Opened, RecordingError> {
+    Err(absent(path))
+}
+
+/// Refuses.
+///
+/// # Errors
+/// Always [`RecordingError::FormatAbsent`].
+pub(in crate::recording) fn observe(path: &Path, _mapping: &Mapping) -> Result<Option<Observation>, RecordingError> {
     Err(absent(path))
 }
 

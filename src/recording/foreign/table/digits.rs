@@ -8,7 +8,7 @@ use crate::recording::foreign::own::DOUBLE;
 pub(super) struct Digits {
     least_decimals: usize,
     most_decimals: usize,
-    most_digits: usize,
+    most_significant: usize,
     has_exponent: bool,
 }
 
@@ -21,7 +21,7 @@ const SINGLE: f64 = 1.0 / 16_777_216.0;
 
 impl Default for Digits {
     fn default() -> Self {
-        Self { least_decimals: usize::MAX, most_decimals: 0, most_digits: 0, has_exponent: false }
+        Self { least_decimals: usize::MAX, most_decimals: 0, most_significant: 0, has_exponent: false }
     }
 }
 
@@ -33,20 +33,20 @@ impl Digits {
         let digits = mantissa.bytes().filter(u8::is_ascii_digit).skip_while(|digit| *digit == b'0').count();
         self.least_decimals = self.least_decimals.min(decimals);
         self.most_decimals = self.most_decimals.max(decimals);
-        self.most_digits = self.most_digits.max(digits);
+        self.most_significant = self.most_significant.max(digits);
         self.has_exponent |= exponent.is_some();
     }
 
     /// Half a unit in the last place, relative to `largest`.
     pub fn resolution(self, largest: f64) -> f64 {
-        if self.most_digits >= ALL {
+        if self.most_significant >= ALL {
             return DOUBLE;
         }
         if self.is_fixed() && largest > 0.0 {
             return (self.last_place() / 2.0 / largest).clamp(DOUBLE, 1.0);
         }
-        let digits = 5.0 * tenth_to_the(self.most_digits);
-        if self.most_digits <= OF_SINGLE { digits.clamp(SINGLE, 1.0) } else { digits.max(DOUBLE) }
+        let digits = 5.0 * tenth_to_the(self.most_significant);
+        if self.most_significant <= OF_SINGLE { digits.clamp(SINGLE, 1.0) } else { digits.max(DOUBLE) }
     }
 
     fn last_place(self) -> f64 {
@@ -70,7 +70,9 @@ mod tests {
 
     fn of(texts: &[&str]) -> Digits {
         let mut digits = Digits::default();
-        texts.iter().for_each(|text| digits.see(text));
+        for text in texts {
+            digits.see(text);
+        }
         digits
     }
 

@@ -30,13 +30,12 @@ pub(super) fn fields(line: &str, separator: Separator) -> Result<Vec<Cow<'_, str
     let mut fields = Vec::new();
     let mut rest = line.trim_matches(is_blank);
     loop {
-        let (field, after) = match rest.strip_prefix('"') {
-            Some(quoted) => unquoted(quoted).ok_or("has a quote that is not closed")?,
-            None => {
-                let end = rest.find(|mark| separator.ends_field(mark)).unwrap_or(rest.len());
-                let (field, after) = rest.split_at(end);
-                (Cow::Borrowed(field.trim_end_matches(is_blank)), after)
-            }
+        let (field, after) = if let Some(quoted) = rest.strip_prefix('"') {
+            unquoted(quoted).ok_or("has a quote that is not closed")?
+        } else {
+            let end = rest.find(|mark| separator.ends_field(mark)).unwrap_or(rest.len());
+            let (field, after) = rest.split_at(end);
+            (Cow::Borrowed(field.trim_end_matches(is_blank)), after)
         };
         fields.push(field);
         let after = if separator == Separator::Blank { after } else { after.trim_start_matches(is_blank) };

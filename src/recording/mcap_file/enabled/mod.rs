@@ -4,6 +4,7 @@ mod about;
 mod columns;
 mod container;
 mod descriptor;
+mod foreign;
 mod foxglove;
 mod intake;
 mod log;
@@ -18,5 +19,6 @@ mod template;
 mod write;
 
 pub(in crate::recording) use columns::open;
+pub(in crate::recording) use foreign::observe;
 pub use read::contents;
 pub use write::McapFile;

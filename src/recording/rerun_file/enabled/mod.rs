@@ -15,6 +15,7 @@ mod about;
 mod blueprint;
 mod columns;
 mod file;
+mod foreign;
 mod gathered;
 mod identity;
 mod layout;
@@ -41,5 +42,6 @@ mod words;
 pub use file::RerunFile;
 #[cfg(feature = "live")]
 pub(in crate::recording) use file::RerunStream;
+pub(in crate::recording) use foreign::observe;
 pub use read::contents;
 pub(in crate::recording) use source::open;
