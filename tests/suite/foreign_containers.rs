@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode::recording::foreign::{Mapping, Observation, observe};
-use polhode::recording::{Axes, Observed, RecordingError, Track};
+use polhode::recording::foreign::{BodyMapping, Mapping, Observation, observe};
+use polhode::recording::{Axes, Observed, PartFile, RecordingError, Track};
 use tempfile::tempdir;
 
 /// A few roundings.
@@ -63,8 +63,8 @@ fn assert_is<const N: usize>(track: Option<&Track<N>>, expected: impl Fn(f64) ->
     let track = track.expect("told");
     assert_eq!(track.times_s.len(), 40);
     for (index, time) in track.times_s.iter().enumerate() {
-        let expected = f64::from(20 * u32::try_from(index).expect("few")) / 1e3;
-        assert_eq!(*time, expected, "sample {index}");
+        let seconds = f64::from(20 * u32::try_from(index).expect("few")) / 1e3;
+        assert_eq!(*time, seconds, "sample {index}");
         for (column, expected) in track.columns.iter().zip(expected(*time)) {
             assert!((column[index] - expected).abs() <= most, "sample {index}: {} is not {expected}", column[index]);
         }
@@ -163,6 +163,33 @@ fn a_timeline_that_counts_tells_no_times() {
     let mapping = Mapping { timeline: Some("log_time".into()), ..Mapping::default() };
     let found = observe(&file("rerun_frames.rrd"), &mapping).expect("logged at some times");
     assert!(found.start_ns > 1_700_000_000_000_000_000, "{}", found.start_ns);
+}
+
+/// A recording of this crate has every sample in scalars: read as those of another, they are the same.
+#[cfg(feature = "rerun")]
+#[test]
+fn scalars_of_rerun_are_read_by_a_mapping() {
+    let folder = tempdir().expect("a folder");
+    let path = folder.path().join("run.rrd");
+    let plan = crate::planned::single(300);
+    let formats = crate::faults::formats();
+    let (_, open) = formats.into_iter().find(|(name, _)| *name == "rrd").expect("in this build");
+    crate::faults::record(&plan, open, PartFile::create(&path, false).expect("a free name")).expect("room");
+    let name = &plan.bodies[0].name;
+    let quaternion = [1, 2, 3, 4].map(|part| format!("/body/{name}/plots/attitude:{part}"));
+    let body = |quaternion| vec![BodyMapping { quaternion: Some(quaternion), ..BodyMapping::default() }];
+    let mapping = |body| Mapping { body, ..Mapping::default() };
+    let found = observe(&path, &mapping(body(quaternion.clone()))).expect("told");
+    let (found, expected) = (&found.bodies[0], &observe(&path, &Mapping::default()).expect("told").bodies[0]);
+    let [found, expected] = [found, expected].map(|body| body.attitude.as_ref().expect("told"));
+    assert_eq!(found.columns, expected.columns);
+    for (found, expected) in found.times_s.iter().zip(&expected.times_s) {
+        assert!((found - expected).abs() <= 5e-10, "{found} s is not {expected} s to the ns");
+    }
+    let mut fifth = quaternion;
+    fifth[3] = format!("/body/{name}/plots/attitude:5");
+    let refused = observe(&path, &mapping(body(fifth))).expect_err("it has four").to_string();
+    assert!(refused.contains("attitude:5\": the columns are"), "{refused}");
 }
 
 /// Cut at a byte or damaged in it (every so many, to be quick): an error with the file's name, or what is left; never

@@ -75,3 +75,15 @@ fn engines_are_read_as_they_mean_it() {
         assert!(in_other_axes > 1.8, "{engine}: ω in other axes is off by {in_other_axes} rad/s only");
     }
 }
+
+/// What the documentation shows is what was run.
+#[test]
+fn the_scripts_are_those_of_the_documentation() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(root.join("docs/recordings_of_others.md")).expect("there");
+    for engine in ["mujoco", "pybullet", "drake", "basilisk"] {
+        let script = root.join("tests/foreign").join(format!("{engine}_free_body.py"));
+        let script = std::fs::read_to_string(script).expect("there");
+        assert!(text.contains(&format!("```python\n{script}```\n")), "{engine}: another script than was run");
+    }
+}

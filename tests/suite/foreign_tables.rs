@@ -162,6 +162,7 @@ fn what_is_not_clear_is_refused_with_its_place() {
         ("t,qw,qx,qy,qz\n0,\"1,0,0,0\n", &default, "line 2 has a quote that is not closed"),
         ("t,qw,qx,qy,qz\n", &default, "it has no line of numbers"),
         ("# nothing\n", &default, "it has no line of columns"),
+        ("t,w,x,y,z\n0,1,0,0,0\n", &quaternion("w x y t"), "\"t\": that is the column of time"),
         ("t,w,w,y,z\n0,1,0,0,0\n", &quaternion("w x y z"), "quaternion names \"w\": there are several"),
         ("t,w,x,y,z\n0,1,0,0,0\n", &quaternion("w x y zz"), "\"zz\": the columns are t, w, x, y, z"),
         ("t,w,x,y,z\n0,1,0,0,0\n", &quaternion("w x y 6"), "\"6\": the columns are 1 to 5"),

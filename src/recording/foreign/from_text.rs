@@ -18,13 +18,13 @@ impl Mapping {
         toml::from_str(&text).map_err(refused)
     }
 
-    /// Reads a mapping of one body from a line: the same keys, between commas, with blanks between several columns:
+    /// Reads a mapping from a line, with the keys of one body beside those of the file, between commas, with blanks between several columns:
     /// `time=t, quaternion=qw qx qy qz, angular_velocity=wx wy wz, angular_velocity_axes=body`.
     ///
     /// # Errors
     /// Which key or value is none.
     pub fn of_columns(text: &str) -> Result<Self, String> {
-        const OF_THE_FILE: [&str; 4] = ["separator", "header", "time", "time_unit"];
+        const OF_THE_FILE: [&str; 7] = ["separator", "header", "time", "time_unit", "frame", "world", "timeline"];
         let (mut file, mut body) = (Table::new(), Table::new());
         for assignment in text.split(',').map(str::trim).filter(|assignment| !assignment.is_empty()) {
             let (key, value) =

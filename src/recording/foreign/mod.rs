@@ -13,7 +13,7 @@ pub(super) mod gathering;
 mod mapping;
 mod observe;
 mod own;
-mod table;
+pub(super) mod table;
 
 pub use mapping::{AngleUnit, BodyMapping, Mapping, RateUnit, Sense, Separator, TimeUnit};
 pub use observe::{Observation, observe};

@@ -25,7 +25,19 @@ pub struct Observation {
 /// (`.csv`, `.tsv`, `.txt`, `.dat`).
 ///
 /// A recording of this crate tells its channels, unless the mapping names columns or a frame of its own. Values are not
-/// repaired: a number that is not finite, or a time that does not come after the one before, is refused.
+/// repaired: a number that is not finite, or a time that does not come after the one before, is refused. What is read of
+/// which messages, and how columns are named, is in `docs/recordings_of_others.md`.
+///
+/// ```
+/// use polhode::recording::foreign::{Mapping, observe};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+/// let found = observe(&root.join("tests/foreign/mujoco.csv"), &Mapping::default())?;
+/// let attitude = found.bodies[0].attitude.as_ref().ok_or("no columns qw, qx, qy, qz")?;
+/// assert_eq!(attitude.times_s.len(), 201);
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// # Errors
 /// If it cannot be read, is damaged or cut off, tells of no body, does not fit the mapping, or is of a format that this

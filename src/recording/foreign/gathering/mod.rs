@@ -6,4 +6,6 @@ mod stamped;
 mod statement;
 
 pub(in crate::recording) use bodies::Gathering;
+#[cfg(feature = "rerun")]
+pub(in crate::recording) use stamped::{seconds, start_of};
 pub(in crate::recording) use statement::{Place, Statement};

@@ -5,13 +5,13 @@ const EXACT_NS: u64 = 1 << 53;
 
 /// What to take off stamps in ns so that they become seconds without loss: nothing, unless they are those of an absolute
 /// clock.
-pub(super) fn start_of(first_ns: i64) -> i64 {
+pub(in crate::recording) fn start_of(first_ns: i64) -> i64 {
     if first_ns.unsigned_abs() < EXACT_NS { 0 } else { first_ns }
 }
 
 /// ns since `start_ns` in s, rounded to the nearest.
 #[expect(clippy::cast_precision_loss, reason = "exact in a recording shorter than a hundred days")]
-fn seconds(stamp_ns: i64, start_ns: i64) -> f64 {
+pub(in crate::recording) fn seconds(stamp_ns: i64, start_ns: i64) -> f64 {
     (i128::from(stamp_ns) - i128::from(start_ns)) as f64 / 1e9
 }
 

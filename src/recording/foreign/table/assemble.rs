@@ -2,11 +2,12 @@ use super::columns::Columns;
 use super::digits::Digits;
 use crate::recording::foreign::BodyMapping;
 use crate::recording::foreign::attitudes::{self, Quaternion};
+use crate::recording::foreign::own::DOUBLE;
 use crate::recording::{Axes, Observed, Track};
 
 /// What a body's columns are made into, by their numbers.
 #[derive(Debug)]
-pub(super) struct Parts {
+pub(in crate::recording) struct Parts {
     attitude: Option<Attitude>,
     angular_velocity: Option<[usize; 3]>,
     angular_momentum: Option<[usize; 3]>,
@@ -25,11 +26,21 @@ enum Attitude {
 
 /// The numbers of a table.
 #[derive(Debug, Default)]
-pub(super) struct Numbers {
+pub(in crate::recording) struct Numbers {
     pub times_s: Vec<f64>,
     /// Column by column, as [`Columns`] numbers them.
     pub columns: Vec<Vec<f64>>,
-    pub digits: Digits,
+    pub exactness: Exactness,
+}
+
+/// How exact the numbers of a table can be.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::recording) enum Exactness {
+    /// They are f64.
+    #[default]
+    Double,
+    /// They are text with so many digits.
+    Digits(Digits),
 }
 
 impl Parts {
@@ -122,7 +133,11 @@ impl Numbers {
 
     fn track<const N: usize>(&self, columns: [Vec<f64>; N], axes: Option<Axes>) -> Track<N> {
         let largest = columns.iter().flatten().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        Track { times_s: self.times_s.clone(), columns, axes, resolution: self.digits.resolution(largest) }
+        let resolution = match self.exactness {
+            Exactness::Double => DOUBLE,
+            Exactness::Digits(digits) => digits.resolution(largest),
+        };
+        Track { times_s: self.times_s.clone(), columns, axes, resolution }
     }
 }
 

@@ -5,7 +5,7 @@ use crate::recording::foreign::own::DOUBLE;
 /// A program prints all its numbers alike: with so many decimals, or with so many digits. With 16 digits and more they
 /// are what it had.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Digits {
+pub(in crate::recording) struct Digits {
     least_decimals: usize,
     most_decimals: usize,
     most_significant: usize,

@@ -2,6 +2,9 @@ use std::borrow::Cow;
 
 use crate::recording::foreign::Separator;
 
+/// Most columns of a line.
+const MOST_COLUMNS: usize = 1 << 16;
+
 impl Separator {
     /// What a line shows: a semicolon before a tab before a comma, as decimals and names may hold the latter.
     pub(super) fn of(line: &str) -> Self {
@@ -37,6 +40,9 @@ pub(super) fn fields(line: &str, separator: Separator) -> Result<Vec<Cow<'_, str
             let (field, after) = rest.split_at(end);
             (Cow::Borrowed(field.trim_end_matches(is_blank)), after)
         };
+        if fields.len() == MOST_COLUMNS {
+            return Err("has more than 65536 columns");
+        }
         fields.push(field);
         let after = if separator == Separator::Blank { after } else { after.trim_start_matches(is_blank) };
         let mut marks = after.chars();

@@ -8,4 +8,8 @@ mod guess;
 mod head;
 mod read;
 
+#[cfg(feature = "rerun")]
+pub(in crate::recording) use assemble::{Numbers, Parts};
+#[cfg(feature = "rerun")]
+pub(in crate::recording) use columns::Columns;
 pub(super) use read::{is_own, observe};

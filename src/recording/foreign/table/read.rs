@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use super::assemble::{Numbers, Parts};
+use super::assemble::{Exactness, Numbers, Parts};
 use super::columns::Columns;
 use super::digits::Digits;
 use super::fields::fields;
@@ -32,12 +32,13 @@ pub(in crate::recording::foreign) fn observe(path: &Path, mapping: &Mapping) -> 
     let guessed = if mapping.body.is_empty() { vec![guess::body(&head.names).map_err(refused)?] } else { Vec::new() };
     let bodies = if guessed.is_empty() { &mapping.body } else { &guessed };
     let time = mapping.time.clone().map_or_else(|| guess::time(&head.names), Ok).map_err(refused)?;
-    let mut columns = Columns::new(&head);
-    let time_column = columns.find("time", &time).map_err(refused)?;
+    let mut columns = Columns::new(&head.names, head.columns);
+    let time_place = columns.find_time(&time).map_err(refused)?;
     let parts: Result<Vec<_>, _> = bodies.iter().map(|body| Parts::find(body, &mut columns)).collect();
     let parts = parts.map_err(refused)?;
-    let mut reader = Reader::new(&head, columns.places(), time_column, mapping.time_unit.decimals());
+    let mut reader = Reader::new(&head, columns.places(), time_place, mapping.time_unit.decimals());
     reader.read(&mut lines)?;
+    reader.numbers.exactness = Exactness::Digits(reader.digits);
     let bodies = parts.iter().zip(bodies).map(|(parts, body)| parts.observed(body, &reader.numbers));
     let bodies: Result<Vec<_>, _> = bodies.collect();
     let mut observation = Observation {
@@ -59,17 +60,27 @@ pub(in crate::recording::foreign) fn observe(path: &Path, mapping: &Mapping) -> 
 struct Reader<'a> {
     head: &'a Head,
     places: &'a [usize],
-    time_column: usize,
+    time_place: usize,
     decimals: u32,
     clock: Option<DecimalClock>,
     numbers: Numbers,
+    digits: Digits,
     time_digits: Digits,
 }
 
 impl<'a> Reader<'a> {
-    fn new(head: &'a Head, places: &'a [usize], time_column: usize, decimals: u32) -> Self {
+    fn new(head: &'a Head, places: &'a [usize], time_place: usize, decimals: u32) -> Self {
         let numbers = Numbers { columns: vec![Vec::new(); places.len()], ..Numbers::default() };
-        Self { head, places, time_column, decimals, clock: None, numbers, time_digits: Digits::default() }
+        Self {
+            head,
+            places,
+            time_place,
+            decimals,
+            clock: None,
+            numbers,
+            digits: Digits::default(),
+            time_digits: Digits::default(),
+        }
     }
 
     fn read(&mut self, lines: &mut Lines) -> Result<(), RecordingError> {
@@ -91,18 +102,15 @@ impl<'a> Reader<'a> {
         if fields.len() != self.head.columns {
             return Err(format!("has {} values in {} columns", fields.len(), self.head.columns));
         }
+        self.take_time(&fields[self.time_place])?;
         for (number, place) in self.places.iter().enumerate() {
             let text: &str = &fields[*place];
-            if number == self.time_column {
-                self.take_time(text)?;
-                continue;
-            }
             let value =
                 text.parse::<f64>().map_err(|_| format!("has {text:?} for a number in column {}", place + 1))?;
             if !value.is_finite() {
                 return Err(format!("has {text} in column {}: not finite", place + 1));
             }
-            self.numbers.digits.see(text);
+            self.digits.see(text);
             self.numbers.columns[number].push(value);
         }
         Ok(())

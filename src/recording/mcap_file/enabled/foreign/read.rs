@@ -15,6 +15,9 @@ use crate::recording::foreign::gathering::{Gathering, Statement};
 use crate::recording::foreign::{Mapping, Observation};
 use crate::recording::format::is_part;
 
+/// Longest message that is taken apart, bytes: some encodings tell a pose, or nothing, in two.
+const LONGEST: usize = 1 << 20;
+
 /// Reads what an `.mcap` says of bodies; `None` if this crate wrote it and the mapping asks for no frame: its own
 /// messages say more than the pictures beside them.
 ///
@@ -105,6 +108,9 @@ impl Intake {
             let reason = format!("the message on {} at {} ns {reason}", known.topic, header.log_time);
             McapError::Io(Error::other(reason))
         };
+        if data.len() > LONGEST {
+            return Err(wrong(format!("has {} bytes, more than {LONGEST}", data.len())));
+        }
         self.said.clear();
         (known.read)(data, &mut self.said)
             .ok_or_else(|| wrong(format!("has another form than {} has", known.schema)))?;

@@ -1,6 +1,7 @@
-//! `.rrd` files of other programs: the transforms of entities, on a timeline of times.
+//! `.rrd` files of other programs: the transforms of entities, on a timeline of times; or numbers by a mapping.
 
 mod read;
+mod scalars;
 mod timeline;
 mod transform;
 

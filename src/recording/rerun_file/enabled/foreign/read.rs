@@ -6,6 +6,7 @@ use re_log_types::{LogMsg, StoreKind, StoreSource};
 
 use super::super::messages::Messages;
 use super::super::unpack;
+use super::scalars;
 use super::timeline::Timelines;
 use super::transform::{Row, Transforms};
 use crate::recording::RecordingError;
@@ -21,6 +22,9 @@ const SINGLE: f64 = 1.0 / 16_777_216.0;
 /// # Errors
 /// If it cannot be read, is damaged, or tells of no body that is asked for.
 pub(in crate::recording) fn observe(path: &Path, mapping: &Mapping) -> Result<Option<Observation>, RecordingError> {
+    if !mapping.body.is_empty() {
+        return scalars::observe(path, mapping).map(Some);
+    }
     // Which timeline is known only at the end: so it is read twice.
     let Some((timelines, parts)) = survey(path, mapping)? else { return Ok(None) };
     let refused = |reason| RecordingError::Decode { path: path.into(), reason };
@@ -84,7 +88,10 @@ fn survey(path: &Path, mapping: &Mapping) -> Result<Option<(Timelines, BTreeSet<
     Ok(Some((timelines, parts)))
 }
 
-fn each_chunk(path: &Path, mut take: impl FnMut(&Chunk) -> Result<(), String>) -> Result<(), RecordingError> {
+pub(super) fn each_chunk(
+    path: &Path,
+    mut take: impl FnMut(&Chunk) -> Result<(), String>,
+) -> Result<(), RecordingError> {
     let mut messages = Messages::open(path)?;
     while let Some(message) = messages.next() {
         if let LogMsg::ArrowMsg(store, batch) = message?
