@@ -30,8 +30,8 @@ pub(super) struct Gathered {
     pub velocity: Stamped<3>,
     /// Of the last three; `None` where frames do not tell.
     pub axes: Option<Axes>,
-    /// Whether its attitudes have signs of the file's own.
-    pub has_signs: bool,
+    /// Whether the signs of its attitudes are open.
+    pub is_of_either_sign: bool,
     /// Half a unit in the last place of its numbers, relative.
     pub resolution: f64,
 }
@@ -55,13 +55,14 @@ impl Gathering {
             None if self.bodies.len() == MOST_BODIES => return Err(format!("more than {MOST_BODIES} bodies")),
             None => {
                 let place = statement.place.clone();
-                self.bodies.push(Gathered { place: place.clone(), has_signs: true, ..Gathered::default() });
+                self.bodies.push(Gathered { place: place.clone(), ..Gathered::default() });
                 self.places.insert(place, self.bodies.len() - 1);
                 self.bodies.len() - 1
             }
         };
         let body = &mut self.bodies[number];
         body.resolution = body.resolution.max(statement.resolution);
+        body.is_of_either_sign |= statement.is_of_either_sign;
         let (stamp, log) = (statement.stamp_ns.unwrap_or(0), statement.log_ns);
         let taken = [
             statement.attitude.map(|value| ("attitude", body.attitude.push(stamp, log, value))),
@@ -73,13 +74,6 @@ impl Gathering {
         match taken.into_iter().flatten().find_map(|(what, taken)| Some((what, taken.err()?))) {
             Some((what, reason)) => Err(format!("the {what} of {:?} {reason}", body.place.name())),
             None => Ok(()),
-        }
-    }
-
-    /// The signs of that body's attitudes are not the file's: it tells them in another form.
-    pub fn choose_signs(&mut self, place: &Place) {
-        if let Some(body) = self.places.get(place).and_then(|number| self.bodies.get_mut(*number)) {
-            body.has_signs = false;
         }
     }
 
@@ -156,7 +150,7 @@ impl Gathered {
 
     fn into_observed(mut self, start_ns: i64) -> Result<Observed, String> {
         let (name, resolution) = (self.place.name(), self.resolution);
-        if !self.has_signs {
+        if self.is_of_either_sign {
             attitudes::continue_signs(self.attitude.columns_mut());
         }
         let wrong = |what: &str, reason: String| format!("the {what} of {name:?} {reason}");

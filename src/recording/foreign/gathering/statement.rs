@@ -9,6 +9,8 @@ pub(in crate::recording) struct Statement {
     pub log_ns: i64,
     /// World from body, w, x, y, z.
     pub attitude: Option<[f64; 4]>,
+    /// Whether the attitude is told in a form that leaves the sign of its quaternion open.
+    pub is_of_either_sign: bool,
     /// m, in the axes of the fixed frame.
     pub position: Option<[f64; 3]>,
     /// rad/s.

@@ -152,7 +152,7 @@ impl Entity {
             gathering
                 .remark(format!("{name}: its transforms are of the child from the parent: positions are left out"));
         }
-        let is_made = !self.turns.is_empty();
+        let is_of_either_sign = !self.turns.is_empty();
         let mut latest = BTreeMap::new();
         for ((time, row), attitude) in self.quaternions.into_iter().chain(self.turns) {
             let [w, x, y, z] = attitude;
@@ -166,11 +166,14 @@ impl Entity {
         }
         for ((time, place), statement) in latest {
             let (stamp_ns, log_ns) = (Some(time), time);
-            let statement = Statement { place, stamp_ns, log_ns, resolution: SINGLE, ..statement };
-            gathering.take(&statement)?;
-            if is_made {
-                gathering.choose_signs(&statement.place);
-            }
+            gathering.take(&Statement {
+                place,
+                stamp_ns,
+                log_ns,
+                resolution: SINGLE,
+                is_of_either_sign,
+                ..statement
+            })?;
         }
         Ok(())
     }
