@@ -1,1 +1,28 @@
 //! Plots and pages, without a viewer.
+//!
+//! A [`Drawing`] holds lines, areas and words in pixels; [`Drawing::svg`] and [`Drawing::png`] give the same picture, with
+//! the same bytes on every machine. [`Axes`] carry values to places, a [`TimeChart`] draws series against time, [`grid`]
+//! sets panels side by side.
+
+mod axes;
+mod chart;
+mod clip;
+mod drawing;
+mod font;
+mod format;
+mod legend;
+mod panels;
+mod png;
+mod scale;
+mod simplify;
+mod svg;
+
+pub use axes::Axes;
+pub use chart::{Limit, Mark, Series, TimeChart};
+pub use drawing::{Anchor, Dash, Drawing, Fill, Ink, Line, Point, Rectangle, Shape};
+pub use font::text_width;
+pub use format::{Format, PlotError};
+pub use legend::{Entry, Sign, legend};
+pub use panels::grid;
+pub use scale::{Scale, power_of_ten};
+pub use svg::Surroundings;

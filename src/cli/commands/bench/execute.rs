@@ -9,6 +9,7 @@ use super::{clock, csv, plot, report};
 use crate::cli::args::BenchArguments;
 use crate::cli::execute::{Outcome, scenario};
 use crate::cli::output::{print, print_json, remark};
+use crate::plot::{Format, PlotError};
 use crate::scenario::{Method, Plan, ScenarioError};
 use crate::study::{Request, WorkPrecision, work_precision};
 
@@ -25,10 +26,8 @@ pub enum BenchError {
     File { path: String, source: io::Error },
     #[error("--csv: {0:?}: a table's name ends in .csv")]
     NoTable(String),
-    #[error("--plot: {0:?}: a plot's name ends in .svg or .png")]
-    NoPlot(String),
-    #[error("cannot draw {path}: {message}")]
-    Plot { path: String, message: String },
+    #[error("--plot: {0}")]
+    Plot(#[from] PlotError),
 }
 
 /// A scene's name and the study of each of its bodies.
@@ -91,10 +90,7 @@ fn check_names(arguments: &BenchArguments) -> Result<(), BenchError> {
     if let Some(path) = arguments.csv.as_deref().filter(|path| !is_table(path)) {
         return Err(BenchError::NoTable(shown(path)));
     }
-    match arguments.plot.iter().find(|path| plot::Format::of(path).is_none()) {
-        Some(path) => Err(BenchError::NoPlot(shown(path))),
-        None => Ok(()),
-    }
+    arguments.plot.iter().try_for_each(|path| Format::of(path).map(|_| ()).map_err(BenchError::from))
 }
 
 fn names() -> Vec<&'static str> {
@@ -106,7 +102,7 @@ fn files(arguments: &BenchArguments, studies: &Studies) -> Result<(), BenchError
         write(path, csv::table(studies).as_bytes())?;
     }
     for path in &arguments.plot {
-        plot::draw(path, studies).map_err(|message| BenchError::Plot { path: path.display().to_string(), message })?;
+        write(path, &Format::of(path)?.bytes(&plot::draw(studies))?)?;
     }
     Ok(())
 }
