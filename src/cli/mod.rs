@@ -9,6 +9,7 @@ mod layout;
 mod output;
 mod progress;
 mod report;
+mod source;
 mod table;
 
 pub use args::Arguments;

@@ -3,7 +3,8 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 
-use super::table::{Table, grouped};
+use super::table::Table;
+use crate::plot::{grouped, plain_time};
 use crate::propagation::Effort;
 use crate::recording::Finished;
 use crate::scenario::{Certificate, CheckOutcome, Grid, Plan};
@@ -29,7 +30,7 @@ impl Report {
         missed
             .map(|(name, certificate)| {
                 let error = certificate.attitude_rad.unwrap_or_default();
-                let reach = plain(certificate.covered_to_s);
+                let reach = plain_time(certificate.covered_to_s);
                 if error > tolerance {
                     format!("tolerance missed: {name} is {error:.1e} rad off, tolerance_rad = {tolerance:e}")
                 } else {
@@ -156,8 +157,8 @@ fn in_words(certificate: &Certificate) -> String {
         certificate.position_m.map(|error| format!("position {error:.1e} m")),
     ];
     let figures: Vec<_> = figures.into_iter().flatten().collect();
-    let worst = plain(certificate.worst_at_s);
-    let reach = plain(certificate.covered_to_s);
+    let worst = plain_time(certificate.worst_at_s);
+    let reach = plain_time(certificate.covered_to_s);
     let until = if certificate.is_whole { String::new() } else { format!(", certified to t = {reach} s only") };
     format!("{}; worst at {worst} s of {samples} samples{until}; by {reference}", figures.join(", "))
 }
@@ -182,15 +183,9 @@ fn certificate_as_json(certificate: &Certificate) -> Value {
 pub fn sampling(grid: &Grid) -> String {
     let count = grouped(grid.len());
     match grid {
-        Grid::Uniform { every_s, .. } => format!("{count}, every {every_s} s to {} s", plain(grid.end())),
-        Grid::List(_) => format!("{count}, at listed times to {} s", plain(grid.end())),
+        Grid::Uniform { every_s, .. } => format!("{count}, every {every_s} s to {} s", plain_time(grid.end())),
+        Grid::List(_) => format!("{count}, at listed times to {} s", plain_time(grid.end())),
     }
-}
-
-/// A time without the noise of its making: 0.3, not 0.30000000000000004.
-fn plain(time: f64) -> String {
-    let text = format!("{time:.9}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// Fifteen digits at most, as few as will do.

@@ -31,6 +31,22 @@ pub enum PlotError {
         /// Pixels.
         height: f64,
     },
+    /// No body is called so.
+    #[error("there is no body {name:?}: {hint}")]
+    UnknownBody {
+        /// What was asked for.
+        name: String,
+        /// What comes near, or what there is.
+        hint: String,
+    },
+    /// The columns for a panel are not there.
+    #[error("{what} cannot be drawn: recorded are {recorded}")]
+    NotRecorded {
+        /// What was asked for.
+        what: &'static str,
+        /// What there is.
+        recorded: String,
+    },
     /// The pixels could not be packed.
     #[error("a picture cannot be packed: {0}")]
     Png(String),

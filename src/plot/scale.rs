@@ -131,6 +131,26 @@ pub fn power_of_ten(power: i32) -> String {
     format!("10{}", power.to_string().chars().map(raised).collect::<String>())
 }
 
+/// A number with four digits as people write it: `0.0025`, `2.5·10⁻⁹`.
+#[must_use]
+pub fn figure(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return signed(format!("{value}"));
+    }
+    let rounded = format!("{value:.3e}");
+    let (digits, power) = rounded.split_once('e').unwrap_or((&rounded, "0"));
+    let power: i32 = power.parse().unwrap_or_default();
+    let short = |digits: &str| match digits.split_once('.') {
+        Some(_) => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        None => digits.to_owned(),
+    };
+    if (-4..5).contains(&power) {
+        let places = usize::try_from(3 - power).unwrap_or(0);
+        return signed(short(&format!("{value:.places$}")));
+    }
+    signed(format!("{}·{}", short(digits), power_of_ten(power)))
+}
+
 /// With a minus sign as long as a plus.
 fn signed(text: String) -> String {
     text.strip_prefix('-').map(|rest| format!("−{rest}")).unwrap_or(text)
@@ -194,6 +214,12 @@ mod tests {
         assert!((scale.fraction(1e-8) - 0.5).abs() < 1e-12);
         assert!(scale.fraction(0.0) < 0.0, "zero is below every axis");
         assert_eq!(Scale::logarithmic(1e-3, 1e-3, 5).to, 1e-2);
+    }
+
+    #[test]
+    fn figures_have_four_digits() {
+        let shown = [0.0025, -1.0, 12345.6, 2.5e-9, 8.0345e37, 0.0, 299.0].map(figure);
+        assert_eq!(shown, ["0.0025", "−1", "12346", "2.5·10⁻⁹", "8.034·10³⁷", "0", "299"]);
     }
 
     #[test]

@@ -24,6 +24,7 @@ pub use error::{Excerpt, Refused, ScenarioError};
 pub use event::{Event, EventKind};
 pub use grid::Grid;
 pub use key::{Key, Refusal, Segment};
+pub(crate) use near_miss::nearest;
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{

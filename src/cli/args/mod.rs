@@ -2,6 +2,7 @@
 
 mod bench;
 mod overrides;
+mod pictures;
 mod recordings;
 mod run;
 mod scenes;
@@ -10,6 +11,7 @@ use clap::{Parser, Subcommand};
 
 pub(super) use bench::BenchArguments;
 pub(super) use overrides::Overrides;
+pub(super) use pictures::PlotArguments;
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
 pub(super) use run::{FileFormat, RunArguments};
 pub(super) use scenes::{ListArguments, PlanArguments};
@@ -29,6 +31,8 @@ Examples:
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
   polhode convert run.mcap run.rrd run.csv        the same recording in other formats, to the bit
   polhode recover recordings/run.mcap.part        a whole recording of what a killed run left
+  polhode plot recordings/dzhanibekov.mcap -o dzhanibekov.svg      its motion as plots, without a viewer
+  polhode plot lagrange_top --channels tilt,axis_path -o top.png   of a scene, only these
   polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
 
 Exit codes: 0 done, 1 a check failed or a certified tolerance was missed, 2 could not (usage, input, file).";
@@ -61,6 +65,8 @@ pub(super) enum Command {
     Convert(ConvertArguments),
     /// Make a whole recording of the .part that a killed run left, and say how many samples it kept.
     Recover(RecoverArguments),
+    /// Draw a recording or a scene: ω, L, energies, drift, the polhode on its ellipsoid, the herpolhode.
+    Plot(PlotArguments),
     /// Open the Rerun viewer found on PATH on a recording or a scene.
     ///
     /// An .mcap, a .csv and a scene are first written as an .rrd to the system's folder for temporary files, where it stays

@@ -9,7 +9,7 @@ use crate::cli::execute::{Outcome, scenario};
 use crate::cli::layout;
 use crate::cli::output::{print, print_json, remark};
 use crate::cli::report::{files_as_json, files_as_text};
-use crate::cli::table::grouped;
+use crate::plot::grouped;
 use crate::recording::{Conversion, Finished, PartFile, RecordingError};
 use crate::scenario::{Plan, ScenarioError};
 

@@ -5,7 +5,8 @@ use serde_json::{Map, Value, json};
 use crate::cli::args::InspectArguments;
 use crate::cli::execute::Outcome;
 use crate::cli::output::{print, print_json, remark};
-use crate::cli::table::{Table, grouped};
+use crate::cli::table::Table;
+use crate::plot::grouped;
 use crate::recording::{Contents, Entry, Range, Survey, contents};
 
 /// Shows what is in a recording.

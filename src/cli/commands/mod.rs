@@ -5,6 +5,7 @@ pub mod convert;
 pub mod inspect;
 pub mod list;
 pub mod plan;
+pub mod plot;
 pub mod recover;
 pub mod run;
 pub mod view;

@@ -7,7 +7,7 @@ use crate::cli::args::RecoverArguments;
 use crate::cli::execute::Outcome;
 use crate::cli::output::{print, print_json, remark};
 use crate::cli::report::{files_as_json, files_as_text};
-use crate::cli::table::grouped;
+use crate::plot::grouped;
 use crate::recording::{Recovered, recover};
 
 /// Makes a whole recording of what a killed run left.

@@ -1,7 +1,8 @@
 use serde_json::{Value, json};
 
 use super::clock;
-use crate::cli::table::{Table, grouped};
+use crate::cli::table::Table;
+use crate::plot::grouped;
 use crate::study::{Point, WorkPrecision};
 
 /// What a person wants to know: who reaches which error at what cost.
