@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use super::Arguments;
 use super::args::Command;
-use super::commands::{bench, convert, inspect, list, plan, plot, recover, run, view};
+use super::commands::{bench, convert, inspect, list, plan, plot, recover, report, run, view};
 use super::output::remark;
 use crate::scenario::{Scenario, ScenarioError};
 
@@ -31,6 +31,7 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::Convert(arguments) => convert::execute(&arguments),
         Command::Recover(arguments) => recover::execute(&arguments),
         Command::Plot(arguments) => Ok(plot::execute(&arguments)),
+        Command::Report(arguments) => Ok(report::execute(&arguments)),
         Command::View(arguments) => Ok(view::execute(&arguments)),
     };
     let outcome = outcome.unwrap_or_else(|error: io::Error| {

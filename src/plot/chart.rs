@@ -122,7 +122,8 @@ impl TimeChart {
         for (index, series) in self.series.iter().enumerate() {
             let is_drawn = |value: f64| !self.is_logarithmic || value > 0.0;
             let gap = |[time, value]: [f64; 2]| [time, if is_drawn(value) { value } else { f64::NAN }];
-            axes.curve(sheet, series.points.iter().map(|point| gap(*point)), curve(index));
+            let line = if is_noise(axes, &series.points) { Line { width: 0.8, ..curve(index) } } else { curve(index) };
+            axes.curve(sheet, series.points.iter().map(|point| gap(*point)), line);
             if let [only] = series.points.as_slice() {
                 sheet.circle(axes.place(*only), 3.0, Some(super::Fill::new(Ink::Series(index))), None);
             }
@@ -171,6 +172,17 @@ const MARK: Line = Line { ink: Ink::Text, width: 0.9, opacity: 0.45, dash: Dash:
 fn curve(index: usize) -> Line {
     Line::new(Ink::Series(index), 1.6)
 }
+
+/// Whether a curve goes up and down so much that a thick line would be a stain.
+fn is_noise(axes: &Axes, points: &[[f64; 2]]) -> bool {
+    let heights = points.iter().map(|point| axes.place(*point)[1]);
+    let climbed: f64 =
+        heights.clone().zip(heights.skip(1)).map(|(a, b)| (a - b).abs()).filter(|way| way.is_finite()).sum();
+    climbed > NOISE * axes.frame.width
+}
+
+/// Pixels up and down for each pixel from side to side.
+const NOISE: f64 = 12.0;
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a handful")]
 fn ticks(length: f64, each: f64) -> usize {

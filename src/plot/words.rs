@@ -3,19 +3,18 @@ use crate::recording::{Heading, RecordedBody, Sampling};
 
 /// Lines that stand over plots: how many samples, by which method, how exact.
 #[must_use]
-pub fn words(heading: &Heading, sampling: Sampling) -> Vec<String> {
+pub fn words(heading: &Heading, sampling: Sampling, tolerance_rad: Option<f64>) -> Vec<String> {
     let times = format!("{} to {} s", plain_time(sampling.from_s), plain_time(sampling.to_s));
-    let mut lines = vec![format!("{} samples, {times}", grouped(sampling.samples))];
-    let named = |body: &RecordedBody, text: String| match heading.bodies.as_slice() {
-        [_] => text,
-        _ => format!("{}: {text}", body.name),
-    };
+    let tolerance = tolerance_rad.map(|rad| format!(", tolerance {} rad", figure(rad))).unwrap_or_default();
+    let mut lines = vec![format!("{} samples, {times}{tolerance}", grouped(sampling.samples))];
     for body in &heading.bodies {
         let method = heading.fact(&format!("body.{}.method", body.name));
         let certificate = exactness(body);
         let parts: Vec<String> = method.map(str::to_owned).into_iter().chain(certificate).collect();
-        if !parts.is_empty() {
-            lines.push(named(body, parts.join("; ")));
+        match heading.bodies.as_slice() {
+            _ if parts.is_empty() => {}
+            [_] => lines[0] = format!("{}; {}", lines[0], parts.join("; ")),
+            _ => lines.push(format!("{}: {}", body.name, parts.join("; "))),
         }
     }
     // Few enough to leave room for the plots; the recording has them all.

@@ -11,7 +11,7 @@ use clap::{Parser, Subcommand};
 
 pub(super) use bench::BenchArguments;
 pub(super) use overrides::Overrides;
-pub(super) use pictures::PlotArguments;
+pub(super) use pictures::{PlotArguments, ReportArguments};
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
 pub(super) use run::{FileFormat, RunArguments};
 pub(super) use scenes::{ListArguments, PlanArguments};
@@ -33,6 +33,7 @@ Examples:
   polhode recover recordings/run.mcap.part        a whole recording of what a killed run left
   polhode plot recordings/dzhanibekov.mcap -o dzhanibekov.svg      its motion as plots, without a viewer
   polhode plot lagrange_top --channels tilt,axis_path -o top.png   of a scene, only these
+  polhode report dzhanibekov --certify -o dzhanibekov.html         all there is to know of it on one page
   polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
 
 Exit codes: 0 done, 1 a check failed or a certified tolerance was missed, 2 could not (usage, input, file).";
@@ -67,6 +68,8 @@ pub(super) enum Command {
     Recover(RecoverArguments),
     /// Draw a recording or a scene: ω, L, energies, drift, the polhode on its ellipsoid, the herpolhode.
     Plot(PlotArguments),
+    /// Make one page (.html) of a recording or a scene: checks, certificate, plots, pictures, provenance; readable offline.
+    Report(ReportArguments),
     /// Open the Rerun viewer found on PATH on a recording or a scene.
     ///
     /// An .mcap, a .csv and a scene are first written as an .rrd to the system's folder for temporary files, where it stays

@@ -7,5 +7,6 @@ pub mod list;
 pub mod plan;
 pub mod plot;
 pub mod recover;
+pub mod report;
 pub mod run;
 pub mod view;

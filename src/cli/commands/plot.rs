@@ -1,4 +1,4 @@
-use std::io::{self, Write};
+use std::io::Write;
 
 use thiserror::Error;
 
@@ -19,8 +19,6 @@ enum DrawError {
     Plot(#[from] PlotError),
     #[error(transparent)]
     Recording(#[from] RecordingError),
-    #[error("cannot write {path}: {source}")]
-    File { path: String, source: io::Error },
     #[error("--channels: {0}")]
     Channels(String),
     #[error("no sample is from {from} to {to} s: the recording is from {first} to {last} s")]
@@ -63,13 +61,16 @@ fn draw(arguments: &PlotArguments) -> Result<(), DrawError> {
     for text in source.remark().into_iter().map(str::to_owned).chain(motion.remarks()) {
         remark(&format!("{}: {text}", arguments.what));
     }
-    let bytes = format.bytes(&motion.draw(&source.title(), &words(&heading, sampling)))?;
-    write(file, &bytes)
+    let bytes = format.bytes(
+        &motion.draw(&source.title(), &words(&heading, sampling, source.plan().and_then(|plan| plan.tolerance_rad))),
+    )?;
+    Ok(write(file, &bytes)?)
 }
 
-fn write(mut file: PartFile, bytes: &[u8]) -> Result<(), DrawError> {
-    let path = file.path().display().to_string();
-    file.write_all(bytes).map_err(|source| DrawError::File { path, source })?;
+/// A whole file of bytes under the name that was claimed.
+pub fn write(mut file: PartFile, bytes: &[u8]) -> Result<(), RecordingError> {
+    let path = file.path().to_path_buf();
+    file.write_all(bytes).map_err(|source| RecordingError::Io { attempt: "write", path, source })?;
     file.sync()?;
-    Ok(file.publish()?)
+    file.publish()
 }

@@ -10,6 +10,7 @@ use super::polhode::{axis_path, polhode};
 use super::trail::Trail;
 use super::wanted::Wanted;
 use crate::body::MassProperties;
+use crate::dynamics::Torque;
 use crate::plot::{Drawing, Mark};
 use crate::recording::RecordedBody;
 use crate::recording::picture::{Quantity, attitude};
@@ -140,7 +141,7 @@ impl BodyMotion {
     }
 
     /// Figures and charts, in the order in which they are looked at.
-    pub fn panels(&self) -> Vec<Drawing> {
+    pub fn panels(&self, chart: (f64, f64)) -> Vec<Drawing> {
         let is_wanted = |wanted: Wanted| self.can_show(wanted) && self.wanted.contains(&wanted);
         let by_default = self.wanted.is_empty();
         let turns = self.directions.first().is_some();
@@ -156,7 +157,7 @@ impl BodyMotion {
         if has_path || is_wanted(Wanted::AxisPath) {
             panels.extend(axis_path(&self.axis_path, &self.axis));
         }
-        panels.extend(charts(&self.curves, &self.wanted, &self.marks));
+        panels.extend(charts(&self.curves, &self.wanted, &self.marks, chart));
         panels
     }
 
@@ -165,10 +166,16 @@ impl BodyMotion {
     }
 }
 
-/// The principal axis nearest to ω at t = 0, body axes; the third of a body at rest.
+/// Of a body in a gravity gradient the axis of the least moment, which the gradient holds upright; else the principal axis
+/// nearest to ω at t = 0, the third of a body at rest. Body axes.
 fn followed(body: &PlannedBody) -> Vector3<f64> {
     let omega = body.problem.initial.angular_velocity.in_body();
-    let axis = if omega == Vector3::zeros() { 2 } else { omega.iamax() };
+    let is_upright = body.problem.loads.iter().any(|load| matches!(load.torque, Torque::GravityGradient { .. }));
+    let axis = match omega {
+        _ if is_upright => body.properties.moments.vector().imin(),
+        omega if omega == Vector3::zeros() => 2,
+        omega => omega.iamax(),
+    };
     let sign = if omega[axis] < 0.0 { -1.0 } else { 1.0 };
     body.properties.body_from_principal * (sign * Vector3::ith(axis, 1.0))
 }

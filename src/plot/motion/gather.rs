@@ -52,6 +52,9 @@ pub struct Motion {
     to_s: f64,
 }
 
+/// Of a chart on a sheet, pixels.
+const CHART: (f64, f64) = (600.0, 250.0);
+
 impl Motion {
     /// Nothing yet of the recording with this heading; `plan`, if it is known, tells moments of inertia and events.
     ///
@@ -108,19 +111,19 @@ impl Motion {
         self.bodies.iter().flat_map(BodyMotion::remarks).collect()
     }
 
-    /// The panels of each body, by name.
+    /// The panels of each body, by name; charts of so many pixels across and down.
     #[must_use]
-    pub fn panels(&self) -> Vec<(&str, Vec<Drawing>)> {
-        self.bodies.iter().map(|body| (body.name.as_str(), body.panels())).collect()
+    pub fn panels(&self, chart: (f64, f64)) -> Vec<(&str, Vec<Drawing>)> {
+        self.bodies.iter().map(|body| (body.name.as_str(), body.panels(chart))).collect()
     }
 
     /// All of it on one sheet under a title and lines of words.
     #[must_use]
     pub fn draw(&self, title: &str, words: &[String]) -> Drawing {
         if self.is_one_of_one {
-            return grid(title, words, self.panels().into_iter().flat_map(|(_, panels)| panels).collect(), 2);
+            return grid(title, words, self.panels(CHART).into_iter().flat_map(|(_, panels)| panels).collect(), 2);
         }
-        let blocks = self.panels().into_iter().map(|(name, panels)| grid(name, &[], panels, 2));
+        let blocks = self.panels(CHART).into_iter().map(|(name, panels)| grid(name, &[], panels, 2));
         grid(title, words, blocks.collect(), 1)
     }
 }

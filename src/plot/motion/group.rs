@@ -3,9 +3,7 @@ use super::wanted::Wanted;
 use crate::plot::{Drawing, Mark, Series, TimeChart};
 use crate::telemetry::Channel;
 
-/// Of a chart, pixels.
-pub const CHART: (f64, f64) = (600.0, 250.0);
-/// Columns of pixels between its axes.
+/// Columns of pixels that a curve is thinned to: about as many as there are between a chart's axes.
 const COLUMNS: usize = 516;
 
 /// Channels of one unit that share a chart, and its title.
@@ -44,7 +42,7 @@ const STILL: f64 = 1e-12;
 type Curves = [(Channel, Vec<Envelope>)];
 
 /// A chart for each channel or group of channels: those wanted, or else those that tell most.
-pub fn charts(curves: &Curves, wanted: &[Wanted], marks: &[Mark]) -> Vec<Drawing> {
+pub fn charts(curves: &Curves, wanted: &[Wanted], marks: &[Mark], size: (f64, f64)) -> Vec<Drawing> {
     let is_shown = |channel: Channel| {
         let is_told = columns(curves, channel).is_some();
         is_told && if wanted.is_empty() { tells(curves, channel) } else { wanted.contains(&Wanted::Channel(channel)) }
@@ -61,7 +59,7 @@ pub fn charts(curves: &Curves, wanted: &[Wanted], marks: &[Mark]) -> Vec<Drawing
     for chart in &mut charts {
         chart.marks = marks.to_vec();
     }
-    charts.iter().map(|chart| chart.draw(CHART.0, CHART.1)).collect()
+    charts.iter().map(|chart| chart.draw(size.0, size.1)).collect()
 }
 
 fn is_later(title: &str) -> bool {

@@ -76,7 +76,7 @@ impl Herpolhode {
             }
         }
         sheet.circle(centre, 3.0, Some(Fill::new(Ink::Text)), None);
-        sheet.text([centre[0] + 7.0, centre[1] + 4.0], Anchor::Start, 12.5, Ink::Text, "L");
+        sheet.text([centre[0] - 7.0, centre[1] + 4.0], Anchor::End, 12.5, Ink::Text, "L");
         for stroke in start.trail.strokes() {
             axes.curve(&mut sheet, stroke.iter().map(|point| [point.x, point.y]), CURVE);
         }

@@ -4,7 +4,7 @@ use super::globe::{Ellipsoid, View};
 use super::trail::Trail;
 use crate::body::MassProperties;
 use crate::plot::simplify::simplified;
-use crate::plot::{Anchor, Dash, Drawing, Entry, Fill, Ink, Line, Point, figure};
+use crate::plot::{Anchor, Dash, Drawing, Entry, Fill, Ink, Line, Point, Sign, figure, text_width};
 
 /// Of a figure, pixels.
 pub const FIGURE: (f64, f64) = (600.0, 440.0);
@@ -16,6 +16,7 @@ const OUTLINE: Line = Line::new(Ink::Faint, 1.2);
 const GRATICULE: Line = Line { ink: Ink::Faint, width: 0.8, opacity: 0.45, dash: Dash::Solid };
 const SEPARATRIX: Line = Line { ink: Ink::Series(3), width: 1.1, opacity: 0.9, dash: Dash::Solid };
 const CURVE: Line = Line::new(Ink::Series(0), 2.0);
+const START: Ink = Ink::Series(1);
 const AXIS: Line = Line::new(Ink::Text, 1.3);
 
 /// The path of ω, whose directions in body axes are `directions`, on the ellipsoid of inertia.
@@ -50,13 +51,18 @@ pub fn axis_path(path: &Trail, axis: &Vector3<f64>) -> Option<Drawing> {
     let mean = path.strokes().iter().flatten().fold(start, |sum, point| sum + point);
     let towards = Vector3::new(side(mean.x, 0.75), side(mean.y, 0.45), side(mean.z, 0.42));
     let view = View::new(&towards, &Vector3::z())?;
-    let name = ["x", "y", "z"][axis.iamax()];
+    let letter = ["x", "y", "z"][axis.iamax()];
+    let name = if axis.amax() == 1.0 {
+        format!("path of the body's {letter} axis")
+    } else {
+        format!("path of the body's axis nearest to {letter}")
+    };
     let drawn = path.full_at_s().map(|time| format!(", drawn to {time:.0} s")).unwrap_or_default();
     let globe = Globe {
         ellipsoid: Ellipsoid::sphere(),
         view,
         labels: ["x", "y", "z"].map(str::to_owned),
-        title: format!("path of the body's axis nearest to {name}, seen in the world"),
+        title: format!("{name}, seen in the world"),
         words: format!("its tip on the unit sphere, world axes; the dot is the start{drawn}"),
     };
     Some(globe.draw(path.strokes(), &start, "axis"))
@@ -110,7 +116,11 @@ impl Globe {
         let outline: Vec<Point> = silhouette.iter().map(|point| self.place(scale, point)).collect();
         sheet.area(outline, Some(Fill { ink: Ink::Series(5), opacity: 0.1 }), Some(OUTLINE));
         curves(&mut sheet, true);
-        let mut entries = vec![Entry::line(name, CURVE), Entry::line(format!("{name} behind"), behind(CURVE))];
+        let mut entries = if strokes.is_empty() {
+            vec![Entry { label: format!("{name}, which stays there"), sign: Sign::Dot(Fill::new(START)) }]
+        } else {
+            vec![Entry::line(name, CURVE), Entry::line(format!("{name} behind"), behind(CURVE))]
+        };
         if !separatrices.is_empty() {
             entries.push(Entry::line("separatrix", SEPARATRIX));
         }
@@ -160,7 +170,15 @@ impl Globe {
             let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
             let length = libm::hypot(dx, dy).max(1.0);
             let at = [to[0] + 5.0 * dx / length, to[1] + 8.0 * dy / length + 4.0];
-            sheet.text(at, anchor, 12.5, Ink::Text, self.labels[axis].clone());
+            let label = &self.labels[axis];
+            let reach = text_width(label, 12.5);
+            let (low, high) = match anchor {
+                Anchor::Start => (0.0, FIGURE.0 - reach),
+                Anchor::Middle => (0.5 * reach, FIGURE.0 - 0.5 * reach),
+                Anchor::End => (reach, FIGURE.0),
+            };
+            // A label at the edge of the sheet stays on it.
+            sheet.text([at[0].clamp(low, high.max(low)), at[1]], anchor, 12.5, Ink::Text, label.clone());
         }
     }
 
@@ -170,9 +188,9 @@ impl Globe {
         }
         let at = self.place(scale, start);
         if is_seen {
-            sheet.circle(at, 4.0, Some(Fill::new(Ink::Series(1))), None);
+            sheet.circle(at, 4.0, Some(Fill::new(START)), None);
         } else {
-            sheet.circle(at, 3.5, None, Some(Line::new(Ink::Series(1), 1.4)));
+            sheet.circle(at, 3.5, None, Some(Line::new(START, 1.4)));
         }
     }
 }
