@@ -166,7 +166,7 @@ impl TimeChart {
 /// Of a limit.
 const LIMIT: Line = Line { ink: Ink::Text, width: 1.2, opacity: 0.8, dash: Dash::Dashed };
 /// Of a mark.
-const MARK: Line = Line { ink: Ink::Text, width: 0.9, opacity: 0.45, dash: Dash::Dotted };
+const MARK: Line = Line { ink: Ink::Text, width: 1.0, opacity: 0.6, dash: Dash::Dotted };
 
 /// Of the n-th series.
 fn curve(index: usize) -> Line {

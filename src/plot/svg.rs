@@ -54,7 +54,7 @@ impl Dash {
         match self {
             Self::Solid => &[],
             Self::Dashed => &[5.0, 4.0],
-            Self::Dotted => &[1.0, 2.5],
+            Self::Dotted => &[1.5, 2.5],
         }
     }
 }

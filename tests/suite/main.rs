@@ -42,6 +42,8 @@ mod oracle;
 mod order;
 mod particles;
 mod planned;
+#[cfg(feature = "cli")]
+mod plots;
 mod precise;
 mod promises;
 #[cfg(feature = "serde")]

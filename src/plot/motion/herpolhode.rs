@@ -65,7 +65,7 @@ impl Herpolhode {
         let scale = Scale::linear(-1.1 * greatest, 1.1 * greatest, 6);
         let axes = Axes { frame, across: scale.clone(), up: scale };
         sheet.text([20.0, 20.0], Anchor::Start, 14.0, Ink::Text, "herpolhode: ω on the invariable plane");
-        sheet.text([20.0, 40.0], Anchor::Start, 12.5, Ink::Faint, self.words(start));
+        sheet.text([20.0, 40.0], Anchor::Start, 12.5, Ink::Faint, Self::words(start));
         let unit = axes.across.counted("rad/s");
         axes.draw(&mut sheet, &format!("ω across L, {unit}"), "");
         let centre = axes.place([0.0, 0.0]);
@@ -86,7 +86,7 @@ impl Herpolhode {
         Some(sheet)
     }
 
-    fn words(&self, start: &Start) -> String {
+    fn words(start: &Start) -> String {
         let drawn = start.trail.full_at_s().map(|time| format!(", drawn to {time:.0} s")).unwrap_or_default();
         format!("seen from the tip of L; the dot is the start; ω stays between the dashed circles{drawn}")
     }

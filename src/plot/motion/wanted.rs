@@ -50,13 +50,11 @@ impl Wanted {
         known.ok_or_else(|| {
             let names = || Channel::ALL.map(|channel| channel.row().name).into_iter();
             let figures = || Self::FIGURES.iter().map(|(name, _)| *name);
-            match nearest(name, names().chain(figures())) {
-                Some(near) => format!("{name:?} is no channel and no figure; did you mean {near:?}?"),
-                None => {
-                    let known: Vec<_> = names().chain(figures()).collect();
-                    format!("{name:?} is no channel and no figure; known are {}", known.join(", "))
-                }
-            }
+            let hint = nearest(name, names().chain(figures())).map_or_else(
+                || format!("known are {}", names().chain(figures()).collect::<Vec<_>>().join(", ")),
+                |near| format!("did you mean {near:?}?"),
+            );
+            format!("{name:?} is no channel and no figure; {hint}")
         })
     }
 }

@@ -70,10 +70,10 @@ impl Page<'_> {
         );
         let summary = self.plan.map(|plan| plan.summary.as_str()).unwrap_or_default();
         for paragraph in summary.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty()) {
-            text += &format!("<p>{}</p>\n", escaped(paragraph));
+            text.extend([format!("<p>{}</p>\n", escaped(paragraph))]);
         }
         for remark in self.remarks {
-            text += &format!("<p class=\"faint\">Not in this page: {}</p>\n", escaped(remark));
+            text.extend([format!("<p class=\"faint\">Not in this page: {}</p>\n", escaped(remark))]);
         }
         text + "</header>\n"
     }
@@ -84,7 +84,7 @@ impl Page<'_> {
         let mut text = "<section>\n<h2>The motion against time</h2>\n".to_owned();
         for (name, panels) in bodies {
             if !is_one {
-                text += &format!("<h3>{}</h3>\n", escaped(name));
+                text.extend([format!("<h3>{}</h3>\n", escaped(name))]);
             }
             text += "<div class=\"figures\">\n";
             for panel in panels {

@@ -5,6 +5,7 @@
 
 mod base64;
 mod compose;
+mod partition;
 mod sections;
 mod solid;
 mod strobe;

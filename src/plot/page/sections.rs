@@ -27,7 +27,7 @@ pub fn verdicts(page: &Page<'_>) -> String {
     }
     text += "</div>\n";
     if !outcomes.is_empty() {
-        text += "<h3>Checks</h3>\n<div class=\"wide\"><table>\n<tr><th>what</th><th>found</th><th>expected</th>\
+        text += "<h3>Checks</h3>\n<div class=\"wide\"><table class=\"checks\">\n<tr><th>what</th><th>found</th><th>expected</th>\
                  <th>tolerance</th><th>unit</th><th></th></tr>\n";
         text.extend(outcomes.iter().map(check));
         text += "</table></div>\n";
@@ -37,7 +37,7 @@ pub fn verdicts(page: &Page<'_>) -> String {
         text += "</ul>\n";
     }
     for body in page.heading.bodies.iter().filter(|body| !body.certificate.is_empty()) {
-        text += &format!("<h3>Certificate of {}</h3>\n", escaped(&body.name));
+        text.extend([format!("<h3>Certificate of {}</h3>\n", escaped(&body.name))]);
         text += &table(body.certificate.iter().map(|(name, value)| (name.as_str(), value.as_str())));
     }
     text + "</section>\n"
@@ -145,19 +145,19 @@ pub fn reproduction(page: &Page<'_>) -> String {
     let mut text = "<section>\n<h2>Get it again</h2>\n".to_owned();
     if !page.commands.is_empty() {
         let lines: Vec<_> = page.commands.iter().map(|line| escaped(line)).collect();
-        text += &format!("<pre><code>{}</code></pre>\n", lines.join("\n"));
+        text.extend([format!("<pre><code>{}</code></pre>\n", lines.join("\n"))]);
     }
     if let Some(digest) = page.heading.fact("identity_sha256") {
-        text += &format!(
+        text.extend([format!(
             "<p class=\"faint\">Recordings with the same identity hold the same motion: SHA-256 <code>{}</code></p>\n",
             escaped(digest)
-        );
+        )]);
     }
     if let Some(scene) = &page.heading.scene {
-        text += &format!(
+        text.extend([format!(
             "<details><summary>The scene, as it was run</summary>\n<pre><code>{}</code></pre>\n</details>\n",
             escaped(scene)
-        );
+        )]);
     }
     text + "</section>\n"
 }

@@ -1,6 +1,6 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
-use crate::body::Surface;
+use super::partition::Partition;
 use crate::plot::motion::View;
 use crate::plot::{Anchor, Drawing, Fill, Ink, Line, Point, Shape};
 
@@ -12,8 +12,8 @@ pub struct Pose {
     pub position: Vector3<f64>,
     /// Vectors from the reference point.
     pub arrows: Vec<Arrow>,
-    /// Of the body, m.
-    pub size: f64,
+    /// How far its axes are drawn, m.
+    pub axes: [f64; 3],
 }
 
 /// A vector as an arrow.
@@ -25,19 +25,19 @@ pub struct Arrow {
     pub colour: [u8; 3],
     /// Pixels.
     pub width: f64,
+    /// How far to the right of its tip the symbol stands, pixels.
+    pub aside: f64,
 }
 
 /// Where the light comes from, as seen: right, up, towards the eye.
 const LIGHT: [f64; 3] = [-0.35, 0.6, 0.72];
 /// Shades of a colour: few, so that neighbours share one and are drawn together.
 const SHADES: f64 = 20.0;
-/// Triangles at most: a page is to be read, not to be waited for.
-const MOST: usize = 6000;
 
 /// The body in its colour, with what points away from the eye behind it and the rest before it.
 pub fn draw(
     sheet: &mut Drawing,
-    surfaces: &[Surface],
+    sides: &Partition,
     colour: [u8; 4],
     pose: &Pose,
     view: &View,
@@ -48,44 +48,36 @@ pub fn draw(
     for arrow in behind {
         point(sheet, arrow, pose, place);
     }
-    axes(sheet, pose, view, place, false);
-    faces(sheet, surfaces, colour, pose, view, place);
-    axes(sheet, pose, view, place, true);
+    // In a picture without arrows axes would be all there is to see.
+    let has_axes = !pose.arrows.is_empty();
+    if has_axes {
+        axes(sheet, pose, view, place, false);
+    }
+    faces(sheet, sides, colour, pose, view, place);
+    if has_axes {
+        axes(sheet, pose, view, place, true);
+    }
     for arrow in before {
         point(sheet, arrow, pose, place);
     }
 }
 
-/// Triangles that face the eye, the farthest first.
+/// Sides that face the eye, the farthest first.
 fn faces(
     sheet: &mut Drawing,
-    surfaces: &[Surface],
+    sides: &Partition,
     colour: [u8; 4],
     pose: &Pose,
     view: &View,
     place: &dyn Fn(&Vector3<f64>) -> Point,
 ) {
-    let total: usize = surfaces.iter().map(|surface| surface.triangles.len()).sum();
-    let every = total.div_ceil(MOST).max(1);
-    let mut faces: Vec<(f64, [u8; 3], Vec<Point>)> = Vec::new();
-    for surface in surfaces {
-        let corner = |index: u32| {
-            let vertex = surface.vertices.get(usize::try_from(index).unwrap_or(usize::MAX))?;
-            Some(pose.position + pose.world_from_body * Vector3::from(vertex.map(f64::from)))
-        };
-        for triangle in surface.triangles.iter().step_by(every) {
-            let [Some(a), Some(b), Some(c)] = triangle.map(corner) else { continue };
-            let Some(normal) = (b - a).cross(&(c - a)).try_normalize(0.0) else { continue };
-            if normal.dot(&view.towards) <= 0.0 {
-                continue;
-            }
-            let seen = Vector3::new(normal.dot(&view.right), normal.dot(&view.up), normal.dot(&view.towards));
-            let shade = shaded(colour, seen.dot(&Vector3::from(LIGHT)));
-            faces.push(((a + b + c).dot(&view.towards), shade, [a, b, c].iter().map(place).collect()));
-        }
-    }
-    faces.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (_, shade, corners) in faces {
+    let towards = pose.world_from_body.inverse() * view.towards;
+    for side in sides.seen_from(&towards) {
+        let normal = pose.world_from_body * side.normal;
+        let seen = Vector3::new(normal.dot(&view.right), normal.dot(&view.up), normal.dot(&view.towards));
+        let shade = shaded(colour, seen.dot(&Vector3::from(LIGHT)));
+        let at = |corner: &Vector3<f64>| place(&(pose.position + pose.world_from_body * corner));
+        let corners: Vec<Point> = side.corners.iter().map(at).collect();
         // The line closes the seam to the neighbour.
         let (line, fill) = (Line::new(Ink::Given(shade), 0.7), Fill::new(Ink::Given(shade)));
         match sheet.shapes.last_mut() {
@@ -107,7 +99,7 @@ fn shaded([red, green, blue, _]: [u8; 4], light: f64) -> [u8; 3] {
 /// The body's axes, those that point to the eye or those that do not.
 fn axes(sheet: &mut Drawing, pose: &Pose, view: &View, place: &dyn Fn(&Vector3<f64>) -> Point, is_before: bool) {
     for (index, name) in ["x", "y", "z"].into_iter().enumerate() {
-        let axis = pose.world_from_body * Vector3::ith(index, 1.25 * pose.size);
+        let axis = pose.world_from_body * Vector3::ith(index, pose.axes[index]);
         if (axis.dot(&view.towards) >= 0.0) == is_before {
             let tip = pose.position + axis;
             sheet.line([place(&pose.position), place(&tip)], Line::new(Ink::Faint, 1.0));
@@ -134,6 +126,7 @@ fn point(sheet: &mut Drawing, arrow: &Arrow, pose: &Pose, place: &dyn Fn(&Vector
     let half = 0.42 * head;
     let corner = |side: f64| [neck[0] - side * half * uy, neck[1] + side * half * ux];
     sheet.area([to, corner(1.0), corner(-1.0)], Some(Fill::new(ink)), None);
-    let at = [to[0] + 9.0 * ux, to[1] + 9.0 * uy + 4.0];
+    // Beside the tip: arrows often point nearly the same way.
+    let at = [to[0] + 4.0 * ux + arrow.aside * uy, to[1] + 4.0 * uy - arrow.aside * ux + 4.0];
     sheet.text(at, Anchor::Middle, 13.0, ink, arrow.symbol);
 }
