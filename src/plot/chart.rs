@@ -86,7 +86,8 @@ impl TimeChart {
     #[must_use]
     pub fn draw(&self, width: f64, height: f64) -> Drawing {
         let mut sheet = Drawing::new(width, height);
-        let entries = self.entries();
+        let across = self.across(ticks(width, 80.0));
+        let entries = self.entries(&across);
         let legend: f64 = entries.iter().map(Entry::width).sum();
         let up = self.up(ticks(height, 46.0));
         let words = match up.counted(&self.unit).as_str() {
@@ -98,7 +99,7 @@ impl TimeChart {
         let top = if has_room || entries.is_empty() { TOP } else { TOP + 20.0 };
         let axes = Axes {
             frame: Rectangle { left: LEFT, top, width: width - LEFT - RIGHT, height: height - top - BOTTOM },
-            across: self.across(ticks(width, 80.0)),
+            across,
             up,
         };
         axes.draw(&mut sheet, "time, s", "");
@@ -130,14 +131,15 @@ impl TimeChart {
         }
     }
 
-    fn entries(&self) -> Vec<Entry> {
+    fn entries(&self, across: &Scale) -> Vec<Entry> {
         let named = self.series.iter().enumerate().filter(|(_, series)| !series.label.is_empty());
         let curves = named.map(|(index, series)| Entry::line(series.label.clone(), curve(index)));
         let limits = self.limits.iter().filter(|limit| !limit.label.is_empty());
         let mut entries: Vec<Entry> =
             curves.chain(limits.map(|limit| Entry::line(limit.label.clone(), LIMIT))).collect();
         // Marks of one kind are told once.
-        let mut told: Vec<&str> = self.marks.iter().map(|mark| mark.label.as_str()).filter(|l| !l.is_empty()).collect();
+        let drawn = self.marks.iter().filter(|mark| (across.from..=across.to).contains(&mark.time_s));
+        let mut told: Vec<&str> = drawn.map(|mark| mark.label.as_str()).filter(|label| !label.is_empty()).collect();
         told.sort_unstable();
         told.dedup();
         if let [only] = told.as_slice() {

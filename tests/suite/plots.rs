@@ -85,7 +85,7 @@ fn what_cannot_be_drawn_is_refused_and_leaves_nothing() {
             &["plot", "scene.toml", "--channels", "angular_velocty", "-o", "x.svg"][..],
             "did you mean \"angular_velocity\"?",
         ),
-        (&["plot", "scene.toml", "--channels", "polhod", "-o", "x.svg"], "did you mean \"polhode\"?"),
+        (&["plot", "scene.toml", "--channels", "pollhode", "-o", "x.svg"], "did you mean \"polhode\"?"),
         (
             &["plot", "scene.csv", "--channels", "tilt", "-o", "x.svg"],
             "tilt cannot be drawn: recorded are angular_velocity",

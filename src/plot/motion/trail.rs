@@ -57,9 +57,7 @@ impl Trail {
         if self.cell(&last) == cell {
             return;
         }
-        let is_new = self.been.insert(cell);
-        // A piece between two places where it has been is drawn already, if it is short.
-        if is_new || (point - last).norm() * self.cells > 3.0 {
+        if self.goes_where_it_was_not(&last, &point) {
             match self.strokes.last_mut() {
                 Some(stroke) if stroke.last() == Some(&last) => stroke.push(point),
                 _ => self.strokes.push(vec![last, point]),
@@ -67,6 +65,18 @@ impl Trail {
             self.count += 1;
         }
         self.last = Some(point);
+    }
+
+    /// Whether a piece goes through any cell for the first time.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1 … 4096")]
+    fn goes_where_it_was_not(&mut self, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
+        let steps = ((to - from).norm() * self.cells).ceil().clamp(1.0, 4096.0) as u32;
+        let mut is_new = false;
+        for step in 1..=steps {
+            let cell = self.cell(&(from + (to - from) * (f64::from(step) / f64::from(steps))));
+            is_new |= self.been.insert(cell);
+        }
+        is_new
     }
 
     /// Its pieces.
@@ -102,7 +112,7 @@ mod tests {
     #[test]
     fn a_circle_is_kept_once_however_often_it_is_gone() {
         let mut trail = Trail::new(1.0);
-        for index in 0..1_000_000 {
+        for index in 0..200_000 {
             trail.push(0.0, circle(1e-3 * f64::from(index)));
         }
         let points: usize = trail.strokes().iter().map(Vec::len).sum();
@@ -111,6 +121,13 @@ mod tests {
         let length: f64 =
             trail.strokes().iter().flat_map(|stroke| stroke.windows(2)).map(|pair| (pair[1] - pair[0]).norm()).sum();
         assert!(length > std::f64::consts::TAU * 0.99, "{length}");
+        // Far from sample to sample, too.
+        let mut trail = Trail::new(1.0);
+        for index in 0..200_000 {
+            trail.push(0.0, circle(0.0501 * f64::from(index)));
+        }
+        let points: usize = trail.strokes().iter().map(Vec::len).sum();
+        assert!(points < 12_000 && trail.full_at_s().is_none(), "{points}");
     }
 
     #[test]
