@@ -40,15 +40,16 @@ fn draw(arguments: &PlotArguments) -> Result<(), DrawError> {
     let format = Format::of(&arguments.output)?;
     let wanted = arguments.channels.iter().map(|name| Wanted::named(name).map_err(DrawError::Channels));
     let wanted = wanted.collect::<Result<Vec<_>, _>>()?;
-    let channels: Vec<Channel> = wanted.iter().flat_map(|wanted| wanted.needs()).copied().collect();
+    let channels: Vec<Channel> = wanted.iter().flat_map(Wanted::needs).copied().collect();
     let scene = &arguments.scene;
     let named = Named { what: &arguments.what, scene: scene.scene.as_deref(), set: &scene.set, channels: &channels };
     // The name is claimed first: one that is taken must not cost the time of a run.
     let file = PartFile::create(&arguments.output, arguments.force)?;
     let source = Source::open(&named)?;
     let request = Request { wanted, bodies: arguments.body.clone(), from_s: arguments.from, to_s: arguments.to };
-    let (heading, sampling) = (source.heading(), source.sampling());
+    let (mut heading, sampling) = (source.heading(), source.sampling());
     let mut motion = Motion::new(&heading, source.plan(), &request)?;
+    heading.bodies.retain(|body| arguments.body.is_empty() || arguments.body.contains(&body.name));
     source.read(&mut |samples| motion.add(samples))?;
     if motion.is_empty() {
         return Err(DrawError::Nothing {

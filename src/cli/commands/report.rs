@@ -55,10 +55,11 @@ fn report(arguments: &ReportArguments) -> Result<Outcome, ReportError> {
         commands: &commands(arguments, &source),
     };
     write(file, page.html().as_bytes())?;
-    let failed = |name: &String| remark(&format!("{}: check failed: {name}", arguments.what));
     let outcomes = source.plan().map(|plan| plan.outcomes.as_slice()).unwrap_or_default();
     let failures: Vec<_> = outcomes.iter().filter(|check| !check.passed).map(|check| &check.name).collect();
-    failures.iter().for_each(|name| failed(name));
+    for name in &failures {
+        remark(&format!("{}: check failed: {name}", arguments.what));
+    }
     Ok(if failures.is_empty() { Outcome::Done } else { Outcome::Failed })
 }
 

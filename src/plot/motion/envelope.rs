@@ -95,7 +95,9 @@ mod tests {
     fn few_samples_are_kept_as_they_are() {
         let mut envelope = Envelope::default();
         let samples: Vec<_> = (0..500).map(|index| [f64::from(index), f64::from(index * index % 17)]).collect();
-        samples.iter().for_each(|[time, value]| envelope.push(*time, *value));
+        for [time, value] in &samples {
+            envelope.push(*time, *value);
+        }
         assert_eq!(envelope.points(1000), samples);
     }
 

@@ -127,6 +127,7 @@ fn by_size(mut chart: TimeChart, channel: Channel) -> TimeChart {
         point[1] = 1e-15 * point[1].abs();
     }
     chart.is_logarithmic = true;
-    chart.unit = "size".into();
+    chart.title = format!("size of the {}", chart.title);
+    chart.unit.clear();
     chart
 }

@@ -10,7 +10,7 @@ use crate::plot::{Anchor, Dash, Drawing, Entry, Fill, Ink, Line, Point, Sign, fi
 pub const FIGURE: (f64, f64) = (600.0, 440.0);
 /// Where the middle of a globe is, and half of what there is room for.
 const CENTRE: Point = [300.0, 240.0];
-const ROOM: [f64; 2] = [215.0, 150.0];
+const ROOM: [f64; 2] = [195.0, 150.0];
 
 const OUTLINE: Line = Line::new(Ink::Faint, 1.2);
 const GRATICULE: Line = Line { ink: Ink::Faint, width: 0.8, opacity: 0.45, dash: Dash::Solid };

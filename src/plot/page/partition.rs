@@ -215,7 +215,7 @@ mod tests {
         Surface { normals: vertices.clone(), vertices, triangles: vec![[0, 1, 2], [0, 2, 3]] }
     }
 
-    fn area(side: &&Side) -> f64 {
+    fn area(side: &Side) -> f64 {
         let fan = side.corners[1..].windows(2);
         fan.map(|pair| 0.5 * (pair[0] - side.corners[0]).cross(&(pair[1] - side.corners[0])).norm()).sum()
     }
@@ -247,7 +247,7 @@ mod tests {
         let tree = Partition::of(&[surface]);
         let seen = tree.seen_from(&Vector3::z());
         assert!((500..=MOST).contains(&seen.len()), "{}", seen.len());
-        let area: f64 = seen.iter().map(area).sum();
+        let area: f64 = seen.iter().copied().map(area).sum();
         // The outermost cells are half a cell narrower.
         assert!((3.6..=4.0).contains(&area), "{area}");
     }
@@ -256,7 +256,7 @@ mod tests {
     fn squares_that_stick_in_one_another_are_cut_and_lose_no_area() {
         let tree = Partition::of(&[square(0, 0.0), square(1, 0.0)]);
         let seen = tree.seen_from(&Vector3::new(1.0, 1.0, 0.0));
-        let total: f64 = seen.iter().map(area).sum();
+        let total: f64 = seen.iter().copied().map(area).sum();
         assert!((total - 8.0).abs() < 1e-12, "{total}");
         // Of the one that is cut, the half behind the other comes before it.
         let depth = |side: &Side| side.corners.iter().map(|corner| corner.x + corner.y).sum::<f64>();

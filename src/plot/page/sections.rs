@@ -27,8 +27,8 @@ pub fn verdicts(page: &Page<'_>) -> String {
     }
     text += "</div>\n";
     if !outcomes.is_empty() {
-        text += "<h3>Checks</h3>\n<div class=\"wide\"><table class=\"checks\">\n<tr><th>what</th><th>found</th><th>expected</th>\
-                 <th>tolerance</th><th>unit</th><th></th></tr>\n";
+        text += "<h3>Checks</h3>\n<div class=\"wide\"><table class=\"checks\">\n<tr><th></th><th>what</th><th>found</th><th>expected</th>\
+                 <th>tolerance</th><th>unit</th></tr>\n";
         text.extend(outcomes.iter().map(check));
         text += "</table></div>\n";
     } else if !told.is_empty() {
@@ -81,8 +81,8 @@ fn check(check: &CheckOutcome) -> String {
     let CheckOutcome { name, expected, measured, tolerance, unit, passed } = check;
     let verdict = if *passed { "<td class=\"good\">✓ passed</td>" } else { "<td class=\"bad\">✗ failed</td>" };
     format!(
-        "<tr><td>{}</td><td class=\"number\">{measured:?}</td><td class=\"number\">{expected:?}</td>\
-         <td class=\"number\">{tolerance:e}</td><td>{}</td>{verdict}</tr>\n",
+        "<tr>{verdict}<td>{}</td><td class=\"number\">{measured:?}</td><td class=\"number\">{expected:?}</td>\
+         <td class=\"number\">{tolerance:e}</td><td>{}</td></tr>\n",
         escaped(name),
         escaped(unit)
     )
