@@ -61,5 +61,7 @@ mod scenarios;
 mod torque_laws;
 mod trajectories;
 #[cfg(feature = "serde")]
+mod verify;
+#[cfg(feature = "serde")]
 mod views;
 mod work_precision;

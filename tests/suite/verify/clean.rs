@@ -1,0 +1,82 @@
+use polhode::comparison::verify::Verdict;
+use polhode::scenario::{Plan, Scenario, TorqueSpecs, library};
+
+use super::engine::{book, causes, evenly, exact, single, verified};
+
+fn assert_clean(what: &str, found: &polhode::comparison::verify::Verification) {
+    assert_eq!(found.verdict, Verdict::Clean, "{what}: {:?} {:?}", found.reasons, found.causes);
+    assert!(causes(found).is_empty(), "{what}: {:?}", found.causes);
+}
+
+#[test]
+fn exact_motion_is_clean_however_it_is_sampled() {
+    let body = book(TorqueSpecs::default());
+    for (count, step) in [(600, 1.0 / 60.0), (4000, 0.0025), (100, 0.1), (40, 0.7), (30, 3.3)] {
+        let found = verified(&exact(&body, &evenly(count, step)), Some(&body));
+        assert_clean(&format!("every {step} s"), &found);
+        let laws = found.laws.expect("of a body");
+        assert!(laws.defect < 4.0 * laws.floor, "{laws:?}");
+        assert!(found.distance.expect("of attitudes").worst_rad < 1e-11);
+    }
+}
+
+#[test]
+fn exact_motion_in_32_bits_is_clean() {
+    let body = book(TorqueSpecs::default());
+    let mut observed = exact(&body, &evenly(1200, 1.0 / 60.0));
+    let (attitude, rates) = (observed.attitude.as_mut().expect("it"), observed.angular_velocity.as_mut().expect("it"));
+    for column in attitude.columns.iter_mut().chain(&mut rates.columns) {
+        for value in column {
+            *value = single(*value);
+        }
+    }
+    let found = verified(&observed, Some(&body));
+    assert_clean("f32", &found);
+    assert!(!found.laws.expect("of a body").energy_per_turn.is_seen(), "rounding is no gain");
+}
+
+#[test]
+fn without_a_body_attitude_and_rates_are_still_held_to_each_other_and_tell_the_body() {
+    let body = book(TorqueSpecs::default());
+    let found = verified(&exact(&body, &evenly(900, 1.0 / 60.0)), None);
+    assert_clean("no body", &found);
+    let fit = found.inertia.expect("it tumbles");
+    let due = [0.002 / 0.006, 0.0042 / 0.006, 1.0];
+    for (ratio, due) in fit.ratios.into_iter().zip(due) {
+        assert!((ratio - due).abs() < 1e-9, "{fit:?}");
+    }
+}
+
+#[test]
+fn attitudes_alone_are_enough() {
+    let body = book(TorqueSpecs::default());
+    let mut observed = exact(&body, &evenly(2000, 0.005));
+    observed.angular_velocity = None;
+    assert_clean("attitudes alone", &verified(&observed, Some(&body)));
+}
+
+#[test]
+fn rates_alone_are_held_to_the_laws() {
+    let body = book(TorqueSpecs::default());
+    let mut observed = exact(&body, &evenly(600, 1.0 / 60.0));
+    observed.attitude = None;
+    assert_clean("rates alone", &verified(&observed, Some(&body)));
+}
+
+/// As its own grid samples it, and at every seventh sample of that.
+#[test]
+fn every_scene_is_clean() {
+    for name in library::names() {
+        let plan = Plan::new(&Scenario::named(name, &[]).expect("a scene")).expect("a plan");
+        for body in &plan.bodies {
+            for stride in [1, 7] {
+                let count = plan.grid.len().min(3000 * stride);
+                let times: Vec<f64> = (0..count).step_by(stride as usize).map(|k| plan.grid.time(k)).collect();
+                if times.len() >= 8 {
+                    let found = verified(&exact(body, &times), Some(body));
+                    assert_clean(&format!("{name}, {}, every {stride}", body.name), &found);
+                }
+            }
+        }
+    }
+}

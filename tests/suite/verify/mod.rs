@@ -1,0 +1,6 @@
+//! `comparison::verify`: what is right is found right, and each naive method is found out by name.
+
+mod causes;
+mod clean;
+mod engine;
+mod readings;
