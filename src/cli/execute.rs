@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use super::Arguments;
 use super::args::Command;
-use super::commands::{bench, convert, inspect, list, plan, plot, recover, report, run, view};
+use super::commands::{bench, convert, inspect, list, plan, plot, recover, report, run, verify, view};
 use super::output::remark;
 use crate::scenario::{Scenario, ScenarioError};
 
@@ -28,6 +28,7 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::Plan(arguments) => plan::execute(&arguments),
         Command::Bench(arguments) => bench::execute(&arguments),
         Command::Inspect(arguments) => inspect::execute(&arguments),
+        Command::Verify(arguments) => verify::execute(&arguments),
         Command::Convert(arguments) => convert::execute(&arguments),
         Command::Recover(arguments) => recover::execute(&arguments),
         Command::Plot(arguments) => Ok(plot::execute(&arguments)),

@@ -6,6 +6,7 @@ mod pictures;
 mod recordings;
 mod run;
 mod scenes;
+mod verify;
 
 use clap::{Parser, Subcommand};
 
@@ -15,6 +16,7 @@ pub(super) use pictures::{PlotArguments, ReportArguments};
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
 pub(super) use run::{FileFormat, RunArguments};
 pub(super) use scenes::{ListArguments, PlanArguments};
+pub(super) use verify::VerifyArguments;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -29,6 +31,7 @@ Examples:
   polhode run dzhanibekov --live                  into a Rerun viewer that is open
   polhode bench dzhanibekov --plot costs.svg      what each method costs for how much accuracy
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
+  polhode verify engine.csv --principal-moments 1,2,3   is a program's rotation right, and if not, why?
   polhode convert run.mcap run.rrd run.csv        the same recording in other formats, to the bit
   polhode recover recordings/run.mcap.part        a whole recording of what a killed run left
   polhode plot recordings/dzhanibekov.mcap -o dzhanibekov.svg      its motion as plots, without a viewer
@@ -59,6 +62,11 @@ pub(super) enum Command {
     Bench(BenchArguments),
     /// Show what is in a recording (.mcap, .rrd, .csv).
     Inspect(InspectArguments),
+    /// Hold a recording of any program against physics: is its rotation right, and if not, why?
+    ///
+    /// Finds in which axes ω is, whether attitudes turn as ω says, what E and L gain in a turn, and how far the exact motion
+    /// through the first state is; and names what is likely wrong with the program.
+    Verify(VerifyArguments),
     /// Write a recording anew in other formats, every channel to the bit.
     ///
     /// Where the recording carries its scene (.mcap and .rrd do), the new one has pictures, layout and log: it is what a run

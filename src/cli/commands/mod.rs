@@ -9,4 +9,5 @@ pub mod plot;
 pub mod recover;
 pub mod report;
 pub mod run;
+pub mod verify;
 pub mod view;

@@ -74,6 +74,12 @@ impl Candidates {
         Some(Self { all, chosen, is_decided, as_good })
     }
 
+    /// The best reading that says something else of the frame or the quaternion, and how badly it fits.
+    #[must_use]
+    pub fn runner_up(&self) -> Option<&(Reading, f64)> {
+        self.all.iter().find(|(reading, _)| !same_but_factor(reading, &self.chosen))
+    }
+
     /// How badly the reading taken fits.
     #[must_use]
     pub fn mismatch(&self) -> Option<f64> {

@@ -24,7 +24,7 @@ const ROUNDING: f64 = 0.02;
 
 impl Clock {
     /// Of the samples that stand for the body's rotation, and which of them are used.
-    pub(super) fn of(observed: &Observed) -> (Self, Vec<usize>) {
+    pub(super) fn of(observed: &Observed, resolution_s: f64) -> (Self, Vec<usize>) {
         let (times, still): (&[f64], Vec<bool>) = match (&observed.attitude, &observed.angular_velocity) {
             (Some(attitude), rates) => (&attitude.times_s, stuck(attitude, rates.as_ref())),
             (None, Some(rates)) => (&rates.times_s, vec![false; rates.times_s.len()]),
@@ -54,7 +54,7 @@ impl Clock {
             gaps: intervals.iter().filter(|interval| **interval > 1.5 * interval_s).count(),
             not_ascending,
             repeated,
-            rounding_s: if uneven < ROUNDING * interval_s { uneven } else { 0.0 },
+            rounding_s: resolution_s.max(if uneven < ROUNDING * interval_s { uneven } else { 0.0 }),
         };
         (clock, used)
     }

@@ -47,16 +47,17 @@ pub const DEFAULT_TOLERANCE_RAD: f64 = 1e-3;
 ///
 /// Without a body only what attitude and ω say of each other is judged. With one, whose problem's first state is not
 /// looked at, ω, L and E are held to its torques from sample to sample, and attitudes to the exact motion through the
-/// first state, within `tolerance_rad`.
+/// first state, within `tolerance_rad`. `time_resolution_s` is half a unit in the last place of the file's times.
 ///
 /// # Errors
 /// If there is too little to look at, or the exact motion cannot be worked out.
 pub fn verify(
     observed: &Observed,
     body: Option<&PlannedBody>,
+    time_resolution_s: f64,
     tolerance_rad: f64,
 ) -> Result<Verification, VerifyError> {
-    let (clock, used) = Clock::of(observed);
+    let (clock, used) = Clock::of(observed, time_resolution_s);
     let name = || observed.name.clone();
     let length = Length::of(observed);
     if used.len() < FEWEST_SAMPLES {

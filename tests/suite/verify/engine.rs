@@ -206,7 +206,7 @@ pub fn evenly(count: u32, step: f64) -> Vec<f64> {
 }
 
 pub fn verified(observed: &Observed, body: Option<&PlannedBody>) -> Verification {
-    let found = verify(observed, body, DEFAULT_TOLERANCE_RAD).unwrap_or_else(|error| panic!("{error}"));
+    let found = verify(observed, body, 0.0, DEFAULT_TOLERANCE_RAD).unwrap_or_else(|error| panic!("{error}"));
     println!("{found:#?}");
     found
 }
