@@ -15,10 +15,10 @@ pub(in crate::cli) struct VerifyArguments {
     #[arg(long, value_name = "KEY=VALUE", requires = "scene")]
     pub set: Vec<String>,
     /// Moments of inertia about body axes that are principal axes, kg m²; nothing acts.
-    #[arg(long, value_name = "I1,I2,I3", value_delimiter = ',', num_args = 3, conflicts_with = "inertia")]
+    #[arg(long, value_name = "I1,I2,I3", value_delimiter = ',', conflicts_with = "inertia")]
     pub principal_moments: Vec<f64>,
     /// Inertia tensor in body axes, kg m²: products with the sign of the matrix, Ixy = −∫ x y dm; nothing acts.
-    #[arg(long, value_name = "XX,YY,ZZ,XY,XZ,YZ", value_delimiter = ',', num_args = 6, allow_hyphen_values = true)]
+    #[arg(long, value_name = "XX,YY,ZZ,XY,XZ,YZ", value_delimiter = ',', allow_hyphen_values = true)]
     pub inertia: Vec<f64>,
     /// The body of the file to verify; left out: all of them.
     #[arg(long, value_name = "NAME")]

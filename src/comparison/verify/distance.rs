@@ -107,6 +107,6 @@ fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
     let (xx, xy) =
         points.clone().fold((0.0, 0.0), |(xx, xy), (x, y)| (xx + (x - mx) * (x - mx), xy + (x - mx) * (y - my)));
     let slope = xy / xx;
-    let miss = points.map(|(x, y)| (y - my - slope * (x - mx)).powi(2)).sum::<f64>() / n;
+    let miss = points.map(|(x, y)| libm::pow(y - my - slope * (x - mx), 2.0)).sum::<f64>() / n;
     (slope, miss)
 }

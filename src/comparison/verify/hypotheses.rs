@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::cause::{Cause, Finding};
@@ -5,6 +7,7 @@ use super::inertia::InertiaFit;
 use super::kinematics::CLEAR;
 use super::laws::Steps;
 use super::model::{Model, carried_by};
+use super::pushed::Pushed;
 use super::reading::axes_name;
 use super::series::{Series, rms};
 use super::subject::Subject;
@@ -32,9 +35,10 @@ pub(super) fn explain(
     body: &PlannedBody,
     series: &Series,
     other_frame: Option<(&Series, Axes)>,
+    pushed: Option<&Arc<Pushed>>,
     rounding_s: f64,
 ) -> Result<Vec<Finding>, PropagationError> {
-    let subject = Subject::new(body, series);
+    let subject = Subject::new(body, series, pushed);
     let steps = Steps::of(&subject, series, rounding_s, MOST_INTERVALS)?;
     let (all, floor) = (steps.defect(), steps.floor());
     if all <= CLEAR * floor {
@@ -42,7 +46,7 @@ pub(super) fn explain(
     }
     let mut trials = vec![no_gyroscopic_term(&subject, series, &steps)];
     let left = |body: &PlannedBody, series: &Series| {
-        Steps::of(&Subject::new(body, series), series, rounding_s, MOST_INTERVALS).map(|steps| steps.defect())
+        Steps::of(&Subject::new(body, series, pushed), series, rounding_s, MOST_INTERVALS).map(|steps| steps.defect())
     };
     if let Some((other, turns_in)) = other_frame {
         let law = if turns_in == Axes::World { Axes::Body } else { Axes::World };
@@ -56,7 +60,7 @@ pub(super) fn explain(
             ),
         });
     }
-    for (cause, changed, what) in other_bodies(body, series) {
+    for (cause, changed, what) in other_bodies(&subject, series) {
         trials.push(Trial { cause, left: left(&changed, series)?, what });
     }
     if !subject.is_free() {
@@ -64,7 +68,7 @@ pub(super) fn explain(
     }
     trials.sort_by(|one, other| one.left.total_cmp(&other.left));
     let mut findings = Vec::new();
-    let share = |left: f64| 1.0 - (left / all).powi(2).min(1.0);
+    let share = |left: f64| 1.0 - ((left / all) * (left / all)).min(1.0);
     // A wrong law leaves little of the errors; a law with an error of order h leaves its own share.
     let template = templates::best(&subject, series, &steps, &steps.defects);
     let law = trials.into_iter().next().filter(|trial| trial.left < EXPLAINS * all);
@@ -125,8 +129,8 @@ fn not_rotated(subject: &Subject, series: &Series, steps: &Steps) -> Vec<Trial> 
 }
 
 /// The same body with something else: moments, or what acts on it.
-fn other_bodies(body: &PlannedBody, series: &Series) -> Vec<(Cause, PlannedBody, String)> {
-    let mut all = Vec::new();
+fn other_bodies(subject: &Subject, series: &Series) -> Vec<(Cause, PlannedBody, String)> {
+    let (body, mut all) = (subject.body, Vec::new());
     let moments: [f64; 3] = body.properties.moments.vector().into();
     for order in [[0, 2, 1], [1, 0, 2], [2, 1, 0], [1, 2, 0], [2, 0, 1]] {
         let permuted = order.map(|axis| moments[axis]);
@@ -137,7 +141,7 @@ fn other_bodies(body: &PlannedBody, series: &Series) -> Vec<(Cause, PlannedBody,
             all.push((Cause::PermutedMoments { order }, with_inertia(body, properties), what));
         }
     }
-    if body.problem.loads.is_empty() {
+    if subject.is_free() {
         all.extend(fitted(body, series));
         return all;
     }

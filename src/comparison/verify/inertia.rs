@@ -73,7 +73,8 @@ impl InertiaFit {
         Some(Self {
             tensor,
             ratios: moments.map(|moment| moment / largest),
-            residual: least.max(0.0).sqrt() / momentum,
+            // An eigenvalue is no smaller than its rounding.
+            residual: least.max(f64::EPSILON).sqrt() / momentum,
         })
     }
 }

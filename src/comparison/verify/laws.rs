@@ -1,6 +1,7 @@
 use nalgebra::Vector3;
 
 use super::kinematics::Estimate;
+use super::pushed::WIDTH;
 use super::series::{Series, rms};
 use super::subject::Subject;
 use crate::body::State;
@@ -63,7 +64,8 @@ impl Steps {
             let turning = subject.attitude.get(k).map_or(0.0, |_| series.attitude_doubt) * change(subject, k, duration);
             let times = rounding_s + f64::EPSILON * series.times[k + 1].abs();
             floors.push(
-                2.0 * series.omega_doubt * growth
+                unknown_push(subject, series, k) * duration
+                    + 2.0 * series.omega_doubt * growth
                     + turning
                     + times * rate * rate
                     + ROUNDINGS * f64::EPSILON * rate * growth,
@@ -86,10 +88,20 @@ impl Steps {
 /// Of the exact motion over an interval.
 const ROUNDINGS: f64 = 8.0;
 
+/// What of ω̇ a recorded moment leaves in doubt between its samples, rad/s².
+fn unknown_push(subject: &Subject, series: &Series, k: usize) -> f64 {
+    let Some(pushed) = &subject.pushed else { return 0.0 };
+    let (state, middle) = (subject.state(k), 0.5 * (series.times[k] + series.times[k + 1]));
+    let lost = pushed.at(middle, &state, WIDTH) - pushed.at(middle, &state, 2);
+    lost.component_div(&subject.problem().moments.vector()).norm() + PUSHED * subject.omega[k].norm()
+}
+
+/// Of the steps under a recorded moment, 1/s.
+const PUSHED: f64 = 1e-11;
+
 /// How much ω changes under the torques in an interval, at most: what of it an attitude in doubt may change.
 fn change(subject: &Subject, k: usize, duration: f64) -> f64 {
-    let problem = subject.problem();
-    duration * problem.moment(0.0, &subject.state(k)).component_div(&problem.moments.vector()).norm()
+    duration * subject.moment(0.0, &subject.state(k)).component_div(&subject.problem().moments.vector()).norm()
 }
 
 impl Laws {

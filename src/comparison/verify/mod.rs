@@ -16,6 +16,7 @@ mod laws;
 mod length;
 mod model;
 mod montgomery;
+mod pushed;
 mod reading;
 mod rotation;
 mod series;

@@ -63,7 +63,7 @@ fn acceleration(
 ) -> Vector3<f64> {
     let problem = subject.problem();
     let moments = problem.moments.vector();
-    let torque = problem.moment(time, &state(q, omega));
+    let torque = subject.moment(time, &state(q, omega));
     match model {
         Model::NoGyroscopicTerm => torque.component_div(&moments),
         Model::InertiaInWorld { world_from_principal, gyroscopic } => {

@@ -1,9 +1,12 @@
+use std::sync::Arc;
+
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::pushed::{Pushed, PushedSince, WIDTH};
 use super::series::Series;
 use crate::body::{AngularVelocity, Attitude, State};
 use crate::dynamics::{Problem, Torque, Window, momentum_in_world, rotational_energy};
-use crate::propagation::{FreeRotation, PropagationError, Propagator, States, Taylor};
+use crate::propagation::{Dop853, FreeRotation, PropagationError, Propagator, States, Taylor};
 use crate::scenario::{Method, PlannedBody, ScenarioError};
 
 /// The body that a file is held against, and the file's states in its principal axes.
@@ -13,18 +16,23 @@ pub(super) struct Subject<'a> {
     pub attitude: Vec<UnitQuaternion<f64>>,
     /// Principal axes, rad/s.
     pub omega: Vec<Vector3<f64>>,
+    /// What the file says acts, beside the body's own loads.
+    pub pushed: Option<Arc<Pushed>>,
 }
 
 /// Per step, rad: below it nothing is gained.
 const TIGHTEST: f64 = 1e-17;
+/// The same under a recorded moment, whose polynomials do not fit each other closer.
+const PUSHED: f64 = 1e-12;
 
 impl<'a> Subject<'a> {
-    pub fn new(body: &'a PlannedBody, series: &Series) -> Self {
+    pub fn new(body: &'a PlannedBody, series: &Series, pushed: Option<&Arc<Pushed>>) -> Self {
         let principal = body.properties.body_from_principal;
         Self {
             body,
             attitude: series.attitude.iter().map(|q| q * principal).collect(),
             omega: series.omega.iter().map(|rate| principal.inverse_transform_vector(rate)).collect(),
+            pushed: pushed.map(Arc::clone),
         }
     }
 
@@ -33,7 +41,13 @@ impl<'a> Subject<'a> {
     }
 
     pub fn is_free(&self) -> bool {
-        self.problem().loads.is_empty()
+        self.problem().loads.is_empty() && self.pushed.is_none()
+    }
+
+    /// All that turns the body at a time, principal axes, N m.
+    pub fn moment(&self, time: f64, state: &State) -> Vector3<f64> {
+        let pushed = self.pushed.as_ref().map_or_else(Vector3::zeros, |pushed| pushed.at(time, state, WIDTH));
+        self.problem().moment(time, state) + pushed
     }
 
     /// Sample `k` as a state; without attitudes: as if body axes lay along world axes.
@@ -55,7 +69,10 @@ impl<'a> Subject<'a> {
     pub fn carried(&self, state: State, time: f64, duration: f64) -> Result<State, PropagationError> {
         let (problem, world_from_turned) = self.problem_from(state, time);
         let mut states = States::default();
-        if problem.loads.is_empty() {
+        if let Some(pushed) = &self.pushed {
+            let model = Box::new(PushedSince(Arc::clone(pushed), time));
+            Dop853::with_model(&problem, model, PUSHED)?.fill(&[duration], &mut states)?;
+        } else if problem.loads.is_empty() {
             FreeRotation::new(&problem)?.fill(&[duration], &mut states)?;
         } else {
             Taylor::new(&problem, TIGHTEST)?.fill(&[duration], &mut states)?;
@@ -72,10 +89,15 @@ impl<'a> Subject<'a> {
     ) -> Result<Vec<(UnitQuaternion<f64>, Vector3<f64>)>, ScenarioError> {
         let Some(&start) = times.first() else { return Ok(Vec::new()) };
         let (problem, world_from_turned) = self.problem_from(state, start);
-        let body = PlannedBody { problem, moves: false, ..self.body.clone() }.by(Method::Auto, None)?;
         let since: Vec<f64> = times.iter().map(|time| time - start).collect();
         let mut states = States::default();
-        body.propagator()?.fill(&since, &mut states)?;
+        if let Some(pushed) = &self.pushed {
+            let model = Box::new(PushedSince(Arc::clone(pushed), start));
+            Dop853::with_model(&problem, model, PUSHED)?.fill(&since, &mut states)?;
+        } else {
+            let body = PlannedBody { problem, moves: false, ..self.body.clone() }.by(Method::Auto, None)?;
+            body.propagator()?.fill(&since, &mut states)?;
+        }
         let turned_back = |k| {
             let (q, omega) = row(&states, k);
             (world_from_turned * q, omega)

@@ -79,7 +79,7 @@ impl Template {
         let duration = series.times[k + 1] - series.times[k];
         let problem = subject.problem();
         let euler = EulerEquations::new(problem.moments);
-        let moment = |k: usize| problem.moment(series.times[k], &subject.state(k));
+        let moment = |k: usize| subject.moment(series.times[k], &subject.state(k));
         let rate = |k: usize| euler.acceleration(&subject.omega[k], &moment(k));
         match self {
             Self::Damping => -duration * 0.5 * (subject.omega[k] + subject.omega[k + 1]),

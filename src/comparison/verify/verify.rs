@@ -2,6 +2,7 @@ use thiserror::Error;
 
 use super::candidates::FEWEST_PER_TURN;
 use super::laws::{MOST_INTERVALS, Steps};
+use super::pushed::Pushed;
 use super::series::Series;
 use super::subject::Subject;
 use super::{
@@ -47,7 +48,7 @@ pub const DEFAULT_TOLERANCE_RAD: f64 = 1e-3;
 ///
 /// Without a body only what attitude and ω say of each other is judged. With one, whose problem's first state is not
 /// looked at, ω, L and E are held to its torques from sample to sample, and attitudes to the exact motion through the
-/// first state, within `tolerance_rad`. `time_resolution_s` is half a unit in the last place of the file's times.
+/// first state, within `tolerance_rad`. Of a body on which nothing acts, the moment that the file records is taken to act. `time_resolution_s` is half a unit in the last place of the file's times.
 ///
 /// # Errors
 /// If there is too little to look at, or the exact motion cannot be worked out.
@@ -92,7 +93,9 @@ pub fn verify(
     let body = body.filter(|_| is_resolved || !series.is_derived);
     let mut of_rates = Vec::new();
     if let Some(body) = body {
-        let subject = Subject::new(body, &series);
+        let pushed =
+            Pushed::of(observed, &body.properties.body_from_principal).filter(|_| body.problem.loads.is_empty());
+        let subject = Subject::new(body, &series, pushed.as_ref());
         let steps = Steps::of(&subject, &series, verification.clock.rounding_s, MOST_INTERVALS)?;
         verification.laws = Some(Laws::of(&subject, &series, &steps));
         if !series.attitude.is_empty() {
@@ -110,6 +113,7 @@ pub fn verify(
             body,
             &series,
             other_frame.as_ref().map(|other| (other, chosen.axes)),
+            pushed.as_ref(),
             verification.clock.rounding_s,
         )?;
     }

@@ -1,5 +1,7 @@
 use polhode::comparison::verify::Verdict;
-use polhode::scenario::{Plan, Scenario, TorqueSpecs, library};
+use polhode::recording::{Axes, Track};
+use polhode::scenario::{MomentSpec, Plan, Scenario, TorqueSpecs, library};
+use polhode::telemetry::Channel;
 
 use super::engine::{book, causes, evenly, exact, single, verified};
 
@@ -79,4 +81,25 @@ fn every_scene_is_clean() {
             }
         }
     }
+}
+
+/// A torque that only the file tells: recorded beside the motion, no scene at hand.
+#[test]
+fn the_moment_that_a_file_records_is_taken_to_act() {
+    let spec = MomentSpec { moment_n_m: [0.002, -0.003, 0.001], start_s: None, end_s: None };
+    let body = book(TorqueSpecs { constant_world: vec![spec], ..TorqueSpecs::default() });
+    let times = evenly(800, 0.005);
+    let mut observed = exact(&body, &times);
+    let moments = body.sample(&[Channel::MomentBody], &times).expect("sampled");
+    let columns = moments.channel(Channel::MomentBody).expect("asked for");
+    observed.moment = Some(Track {
+        times_s: times,
+        columns: std::array::from_fn(|i| columns[i].clone()),
+        axes: Some(Axes::Body),
+        resolution: f64::EPSILON / 2.0,
+    });
+    let free = book(TorqueSpecs::default());
+    assert_clean("recorded moment", &verified(&observed, Some(&free)));
+    observed.moment = None;
+    assert_eq!(verified(&observed, Some(&free)).verdict, Verdict::Wrong, "something acts, and nobody said so");
 }

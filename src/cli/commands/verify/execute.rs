@@ -52,6 +52,13 @@ fn found(arguments: &VerifyArguments) -> Result<Found, String> {
     if !(arguments.tolerance > 0.0 && arguments.tolerance.is_finite()) {
         return Err(format!("--tolerance {}: it must be positive and finite", arguments.tolerance));
     }
+    for (flag, given, wanted) in
+        [("--principal-moments", arguments.principal_moments.len(), 3), ("--inertia", arguments.inertia.len(), 6)]
+    {
+        if given != 0 && given != wanted {
+            return Err(format!("{flag}: {given} numbers, where it takes {wanted}"));
+        }
+    }
     let mapping = mapping(arguments)?;
     let observation = observe(&arguments.file, &mapping).map_err(|error: RecordingError| error.to_string())?;
     let bodies = Bodies::of(arguments).map_err(|error| error.to_string())?;

@@ -72,10 +72,8 @@ fn measured(source: Option<&str>, found: &Verification) -> Table {
         ),
     ]);
     table.row(["columns", &found.candidates.chosen.words()]);
-    if let Some((other, mismatch)) = found.candidates.runner_up() {
-        let own = found.candidates.mismatch().unwrap_or(0.0);
-        table.row(["", &format!("differ by {own:.1e} of each turn; next best {mismatch:.1e}:")]);
-        table.row(["", &other.words()]);
+    if let Some((_, mismatch)) = found.candidates.runner_up() {
+        table.row(["", &format!("the next best reading is off by {mismatch:.1e} of each turn")]);
     }
     if let Some(length) = &found.length {
         table.row(["|q| − 1", &format!("{:.1e} at most; the file resolves {:.0e}", length.off, length.floor)]);
