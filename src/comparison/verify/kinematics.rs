@@ -2,7 +2,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::interpolation::Stencil;
 use super::rotation::{log, turned};
-use super::series::{Series, rms};
+use super::series::{Series, count_of, rms};
 use super::update::Update;
 use crate::numerics::so3;
 
@@ -183,7 +183,7 @@ fn along(
 fn lag(series: &Series, plain: &Turns, floors: &[f64], kept: &[usize]) -> Estimate {
     let change: Vec<_> = (0..plain.made.len()).map(|k| series.omega[k + 1] - series.omega[k]).collect();
     let mut estimate = along(&plain.recorded, &plain.made, &change, floors, kept);
-    let interval = (series.times[series.len() - 1] - series.times[0]) / series.times.len() as f64;
+    let interval = series.span() / count_of(series.len());
     // Beyond a few samples it is no lag, and the polynomials do not reach.
     if !estimate.is_seen() || estimate.value.abs() > 2.0 * interval {
         return Estimate { value: 0.0, doubt: estimate.doubt };

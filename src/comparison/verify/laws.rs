@@ -2,7 +2,7 @@ use nalgebra::Vector3;
 
 use super::kinematics::Estimate;
 use super::pushed::WIDTH;
-use super::series::{Series, rms};
+use super::series::{Series, count_of, rms};
 use super::subject::Subject;
 use crate::body::State;
 use crate::dynamics::{momentum_in_world, rotational_energy};
@@ -72,7 +72,7 @@ impl Steps {
             );
             exact.push(state);
         }
-        let share = intervals.len() as f64 / count.max(1) as f64;
+        let share = count_of(intervals.len()) / count_of(count.max(1));
         Ok(Self { intervals, share, exact, defects, floors })
     }
 
@@ -121,10 +121,10 @@ impl Laws {
                 along += off - direction * off.dot(&direction);
             }
         }
-        let mean_energy = (0..series.len()).map(|k| subject.energy(k)).sum::<f64>() / series.len() as f64;
-        let mean_momentum = (0..series.len()).map(|k| subject.momentum(k).norm()).sum::<f64>() / series.len() as f64;
+        let mean_energy = (0..series.len()).map(|k| subject.energy(k)).sum::<f64>() / count_of(series.len());
+        let mean_momentum = (0..series.len()).map(|k| subject.momentum(k).norm()).sum::<f64>() / count_of(series.len());
         // Rounding comes in at both ends of every interval but adds up like a random walk.
-        let walk = (steps.intervals.len() as f64).sqrt() / steps.share;
+        let walk = count_of(steps.intervals.len()).sqrt() / steps.share;
         let doubt = steps.floor() / rate * walk;
         let per_turn = |sum: f64, mean: f64, weight: f64| Estimate {
             value: sum / steps.share / mean.max(f64::MIN_POSITIVE) / turns,

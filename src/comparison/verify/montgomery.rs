@@ -2,7 +2,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::interpolation::Stencil;
 use super::rotation::log;
-use super::series::Series;
+use super::series::{Series, count_of};
 use super::subject::Subject;
 use crate::numerics::so3;
 use crate::propagation::FreeRotation;
@@ -55,7 +55,7 @@ impl Montgomery {
             found.periods += 1;
             before = after;
             // By multiplication: a sum would round at each.
-            time = start + (found.periods + 1) as f64 * period;
+            time = start + count_of(found.periods + 1) * period;
         }
         Ok(Some(found))
     }

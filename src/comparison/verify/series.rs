@@ -53,7 +53,7 @@ impl Series {
         }
         let attitude_doubt = ATTITUDE_ROUNDINGS * resolution(attitude);
         let Some(rates) = &observed.angular_velocity else {
-            return Some(Self::derived(times, turned, attitude_doubt));
+            return Some(Self::derived(&times, &turned, attitude_doubt));
         };
         let (columns, lost) = at_times(rates, attitude, &used, &times);
         let omega: Vec<_> = columns.iter().zip(&turned).map(|(rate, q)| reading.rate((*rate).into(), q)).collect();
@@ -69,8 +69,8 @@ impl Series {
     }
 
     /// With ω from the attitudes, and without the ends, where a slope has neighbours on one side only.
-    fn derived(times: Vec<f64>, attitude: Vec<UnitQuaternion<f64>>, attitude_doubt: f64) -> Self {
-        let (omega, omega_doubt) = from_attitudes(&times, &attitude, attitude_doubt);
+    fn derived(times: &[f64], attitude: &[UnitQuaternion<f64>], attitude_doubt: f64) -> Self {
+        let (omega, omega_doubt) = from_attitudes(times, attitude, attitude_doubt);
         let ends = if times.len() > 6 * SIDE { SIDE } else { 0 };
         let kept = ends..times.len() - ends;
         Self {
@@ -142,6 +142,12 @@ pub(super) fn resolution<const N: usize>(track: &Track<N>) -> f64 {
     let varies = track.columns.iter().flatten().any(|value| *value != value.round());
     let is_all_single = varies && track.columns.iter().flatten().all(is_single);
     if is_all_single { track.resolution.max(SINGLE) } else { track.resolution }
+}
+
+/// As a number.
+#[expect(clippy::cast_precision_loss, reason = "no file has 2⁵³ samples")]
+pub(super) fn count_of(samples: usize) -> f64 {
+    samples as f64
 }
 
 /// Root of the mean square.

@@ -20,6 +20,9 @@ pub(super) struct Subject<'a> {
     pub pushed: Option<Arc<Pushed>>,
 }
 
+/// World from principal axes, and ω in them, rad/s.
+pub(super) type Place = (UnitQuaternion<f64>, Vector3<f64>);
+
 /// Per step, rad: below it nothing is gained.
 const TIGHTEST: f64 = 1e-17;
 /// The same under a recorded moment, whose polynomials do not fit each other closer.
@@ -82,11 +85,7 @@ impl<'a> Subject<'a> {
     }
 
     /// Attitudes and ω of the exact motion from `state`, at `times` of which the first is the state's own.
-    pub fn trajectory(
-        &self,
-        state: State,
-        times: &[f64],
-    ) -> Result<Vec<(UnitQuaternion<f64>, Vector3<f64>)>, ScenarioError> {
+    pub fn trajectory(&self, state: State, times: &[f64]) -> Result<Vec<Place>, ScenarioError> {
         let Some(&start) = times.first() else { return Ok(Vec::new()) };
         let (problem, world_from_turned) = self.problem_from(state, start);
         let since: Vec<f64> = times.iter().map(|time| time - start).collect();

@@ -89,10 +89,10 @@ fn a_time_base_that_is_not_that_of_the_attitudes() {
 fn signs_and_repeated_samples_are_harmless() {
     let mut observed = motion();
     rows(observed.attitude.as_mut().expect("it"), |k, q| if k % 5 == 3 { q.map(|part| -part) } else { q });
-    for column in observed.attitude.as_mut().expect("it").columns.iter_mut() {
+    for column in &mut observed.attitude.as_mut().expect("it").columns {
         column[500] = column[499];
     }
-    for column in observed.angular_velocity.as_mut().expect("it").columns.iter_mut() {
+    for column in &mut observed.angular_velocity.as_mut().expect("it").columns {
         column[500] = column[499];
     }
     let found = found(&observed);

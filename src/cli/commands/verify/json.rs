@@ -1,6 +1,6 @@
 use serde_json::{Value, json};
 
-use crate::comparison::verify::{Estimate, Growth, Reading, Verification, axes_name};
+use crate::comparison::verify::{Estimate, Growth, Reading, Update, Verification, axes_name};
 
 /// All that was found of a body.
 pub fn of(found: &Verification) -> Value {
@@ -52,7 +52,7 @@ pub fn of(found: &Verification) -> Value {
             "apart_floor_rad": kinematics.apart_floor_rad,
             "jumps": kinematics.jumps,
             "first_jump_s": kinematics.first_jump_s,
-            "update": kinematics.update.map(|update| update.words()),
+            "update": kinematics.update.map(Update::words),
         })),
         "laws": found.laws.as_ref().map(|laws| json!({
             "defect": laws.defect,

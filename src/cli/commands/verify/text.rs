@@ -163,7 +163,7 @@ fn wrapped(text: &str, indent: &str) -> String {
         if line.chars().count() > indent.len() && line.chars().count() + word.chars().count() >= WIDTH {
             lines.push_str(&line);
             lines.push('\n');
-            line = indent.to_owned();
+            indent.clone_into(&mut line);
         }
         if line.chars().count() > indent.len() {
             line.push(' ');
