@@ -38,10 +38,8 @@ impl Montgomery {
         if !(period.is_finite() && start + period <= end) {
             return Ok(None);
         }
-        // 2ET/|L| − Ω in closed form is where the exact motion stands after a period.
-        let exact = subject.trajectory(subject.state(0), &[start, start + period])?;
         let momentum = subject.momentum(0).normalize();
-        let due = about(&momentum, &(exact[1].0 * exact[0].0.inverse()));
+        let due = due(subject, start, period)?;
         let mut found = Self { period_s: period, periods: 0, due_rad: due, worst_rad: 0.0, floor_rad: 0.0 };
         let mut before = subject.attitude[0];
         let mut time = start + period;
@@ -59,6 +57,36 @@ impl Montgomery {
         }
         Ok(Some(found))
     }
+}
+
+/// 2ET/|L| − Ω of the first state's motion, rad, −π to π.
+///
+/// Ω is ∮ (1 − cos θ) dφ about the axis that L goes round in the body, by the trapezium: of a periodic function it is
+/// right to rounding once the curve is resolved.
+fn due(subject: &Subject, start: f64, period: f64) -> Result<f64, ScenarioError> {
+    const POINTS: usize = 8192;
+    let times: Vec<f64> = (0..POINTS).map(|k| start + period * (count_of(k) / count_of(POINTS))).collect();
+    let moments = subject.problem().moments.vector();
+    let exact = subject.trajectory(subject.state(0), &times)?;
+    let curve: Vec<_> = exact.iter().map(|(_, omega)| (moments.component_mul(omega).normalize(), *omega)).collect();
+    // L never crosses the plane across the axis that it goes round.
+    let stays = |axis: &usize| curve.iter().map(|(u, _)| u[*axis].abs()).fold(f64::INFINITY, f64::min);
+    let mut axes = [0, 1, 2];
+    axes.sort_by(|one, other| stays(other).total_cmp(&stays(one)));
+    let sign = curve[0].0[axes[0]].signum();
+    let solid_angle: f64 =
+        curve.iter().map(|(u, omega)| swept(u, omega, axes[0], sign)).sum::<f64>() * period / count_of(POINTS);
+    let (energy, momentum) = (subject.energy(0), subject.momentum(0).norm());
+    let turn = 2.0 * energy * period / momentum - solid_angle;
+    Ok(turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round())
+}
+
+/// (1 − cos θ) dφ/dt = (x ẏ − y ẋ)/(1 + z) of a direction that is fixed in the world, seen from axes that turn at ω; z
+/// along `sign` times the axis.
+fn swept(direction: &Vector3<f64>, omega: &Vector3<f64>, axis: usize, sign: f64) -> f64 {
+    let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+    let rate = direction.cross(omega);
+    sign * (direction[x] * rate[y] - direction[y] * rate[x]) / (1.0 + sign * direction[axis])
 }
 
 /// The angle of the turn about `axis` that comes nearest to a rotation, rad.

@@ -1,3 +1,4 @@
+use polhode::body::AngularVelocity;
 use polhode::comparison::verify::Verdict;
 use polhode::recording::{Axes, Track};
 use polhode::scenario::{MomentSpec, Plan, Scenario, TorqueSpecs, library};
@@ -102,4 +103,16 @@ fn the_moment_that_a_file_records_is_taken_to_act() {
     assert_clean("recorded moment", &verified(&observed, Some(&free)));
     observed.moment = None;
     assert_eq!(verified(&observed, Some(&free)).verdict, Verdict::Wrong, "something acts, and nobody said so");
+}
+
+/// Montgomery's law, Ω by quadrature, against closed-form attitudes: about the axes of the least and of the greatest moment.
+#[test]
+fn the_turn_about_l_is_montgomerys() {
+    for omega in [[2.0, 4.0, 1.5], [5.0, 1.0, 0.3], [-5.0, 1.0, 0.3], [0.2, 1.0, 4.0], [0.2, -1.0, -4.0]] {
+        let mut body = book(TorqueSpecs::default());
+        body.problem.initial.angular_velocity = AngularVelocity::new(omega).expect("finite");
+        let found = verified(&exact(&body, &evenly(6000, 0.002)), Some(&body)).montgomery.expect("free motion");
+        assert!(found.periods >= 3, "{found:?}");
+        assert!(found.worst_rad < 1e-11, "{omega:?}: {found:?}");
+    }
 }
