@@ -31,7 +31,8 @@ Examples:
   polhode run dzhanibekov --live                  into a Rerun viewer that is open
   polhode bench dzhanibekov --plot costs.svg      what each method costs for how much accuracy
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
-  polhode verify engine.csv --principal-moments 1,2,3   is a program's rotation right, and if not, why?
+  polhode verify engine.csv --map engine.toml --principal-moments 1,2,3
+                                                  is a program's rotation right, and if not, why?
   polhode convert run.mcap run.rrd run.csv        the same recording in other formats, to the bit
   polhode recover recordings/run.mcap.part        a whole recording of what a killed run left
   polhode plot recordings/dzhanibekov.mcap -o dzhanibekov.svg      its motion as plots, without a viewer
@@ -39,7 +40,8 @@ Examples:
   polhode report dzhanibekov --certify -o dzhanibekov.html         all there is to know of it on one page
   polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
 
-Exit codes: 0 done, 1 a check failed or a certified tolerance was missed, 2 could not (usage, input, file).";
+Exit codes: 0 done, 1 a check failed, a certified tolerance was missed or a rotation is wrong, 2 could not (usage, input,
+file).";
 
 /// Exact motions of rotating rigid bodies, recorded for Rerun and Foxglove.
 #[derive(Debug, Parser)]

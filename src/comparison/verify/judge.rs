@@ -8,6 +8,8 @@ use crate::recording::Observed;
 
 /// A reading that leaves more than this of each turn is wrong, relative.
 const MISREAD: f64 = 0.3;
+/// What leads less than this share of the tolerance astray is no cause.
+const COUNTS: f64 = 0.1;
 
 /// Puts the verdict, its reasons, the causes and the remarks.
 pub(super) fn judge(found: &mut Verification, observed: &Observed, series: &Series, of_rates: Vec<Finding>) {
@@ -42,12 +44,18 @@ pub(super) fn judge(found: &mut Verification, observed: &Observed, series: &Seri
     if motion {
         // By how much of the error each explains; those of ω come before those of q, which follow from it.
         causes.extend(of_rates);
+    } else {
+        found.habits = of_rates.into_iter().filter(|finding| finding.share > 0.0).collect();
     }
-    if motion || turning.is_some() {
-        let of_turns = found.kinematics.as_ref().and_then(|kinematics| of_turning(kinematics, series, tolerance));
+    if let Some((finding, effect)) = found.kinematics.as_ref().and_then(|kinematics| of_turning(kinematics, series)) {
         // Half a step between q and ω is the habit of engines: a cause where there is no other.
-        let is_habit = |finding: &Finding| matches!(finding.cause, Cause::OutOfStep { .. });
-        causes.extend(of_turns.filter(|finding| causes.is_empty() || !is_habit(finding)));
+        let is_lag = matches!(finding.cause, Cause::OutOfStep { .. });
+        let is_cause = (motion || turning.is_some()) && effect > COUNTS * tolerance && (causes.is_empty() || !is_lag);
+        if is_cause {
+            causes.push(finding);
+        } else if !is_lag {
+            found.habits.push(finding);
+        }
     }
     if motion && causes.is_empty() {
         causes.push(Finding {
@@ -148,45 +156,33 @@ fn turns_wrong(kinematics: &Kinematics, tolerance: f64, reasons: &mut Vec<String
     })
 }
 
-/// Why attitudes turn otherwise than ω says.
-fn of_turning(kinematics: &Kinematics, series: &Series, tolerance: f64) -> Option<Finding> {
-    let update = kinematics.update;
-    let turns = (1..series.len()).map(|k| series.omega[k - 1].norm() * (series.times[k] - series.times[k - 1]));
-    let turn = rms(turns);
-    let excess = kinematics.excess;
-    let adds_up =
-        excess.value.abs() * series.angle() > tolerance.min(1e-6) && excess.value.abs() > CLEAR * excess.doubt;
-    if update.is_some_and(super::Update::is_first_order) || adds_up {
+/// Why attitudes turn otherwise than ω says, and how far that leads over the whole, rad.
+fn of_turning(kinematics: &Kinematics, series: &Series) -> Option<(Finding, f64)> {
+    let (update, excess, lag) = (kinematics.update, kinematics.excess, kinematics.lag);
+    let found = |cause, evidence| Finding { cause, share: 0.0, evidence };
+    let is_first_order = update.is_some_and(super::Update::is_first_order);
+    if is_first_order || excess.value.abs() > CLEAR * excess.doubt {
+        let effect = excess.value.abs() * series.angle();
         let missing = -excess.value;
+        let turn = rms((1..series.len()).map(|k| series.omega[k - 1].norm() * (series.times[k] - series.times[k - 1])));
         // 2 arctan(θ/2) = θ − θ³/12, arctan θ = θ − θ³/3: no step is longer than the time between samples.
-        if missing > 0.0 && missing < 1.2 * turn * turn / 3.0 || update.is_some_and(super::Update::is_first_order) {
+        if is_first_order || (missing > 0.0 && missing < 1.2 * turn * turn / 3.0) {
             let step = (12.0 * missing.max(0.0)).sqrt() / series.rate();
-            let step_s = match update {
-                Some(update) if update.rotation == Rotation::OrthogonalisedMatrix => 0.5 * step,
-                _ => step,
-            };
+            let of_matrix = update.is_some_and(|update| update.rotation == Rotation::OrthogonalisedMatrix);
+            let step_s = if of_matrix { 0.5 * step } else { step };
             let formula = update.map_or_else(String::new, |update| format!("; each is {}", update.words()));
-            return Some(Finding {
-                cause: Cause::FirstOrderAttitude { step_s, update },
-                share: 1.0,
-                evidence: format!("attitudes turn by {missing:.2e} less than ω says, as |ω|² h²/12 is{formula}"),
-            });
+            let evidence = format!("attitudes turn by {missing:.2e} less than ω says, as |ω|² h²/12 is{formula}");
+            return Some((found(Cause::FirstOrderAttitude { step_s, update }, evidence), effect));
         }
-        return Some(Finding {
-            cause: Cause::TimeScale { factor: 1.0 + excess.value },
-            share: 1.0,
-            evidence: format!("the turns from sample to sample are {:+.3e} of what ω makes", excess.value),
-        });
+        let evidence = format!("the turns from sample to sample are {:+.3e} of what ω makes", excess.value);
+        return Some((found(Cause::TimeScale { factor: 1.0 + excess.value }, evidence), effect));
     }
-    let lag = kinematics.lag;
-    (lag.is_seen() && lag.value.abs() * series.rate() > tolerance).then(|| Finding {
-        cause: Cause::OutOfStep { lag_s: lag.value, update },
-        share: 1.0,
-        evidence: match update {
-            Some(update) => format!("each attitude is that before turned by {}", update.words()),
-            None => format!("attitudes turn as ω does {:+.3e} s later", lag.value),
-        },
-    })
+    let evidence = match update {
+        Some(update) => format!("each attitude is that before turned by {}", update.words()),
+        None => format!("attitudes turn as ω does {:+.3e} s later", lag.value),
+    };
+    let effect = lag.value.abs() * series.rate();
+    lag.is_seen().then(|| (found(Cause::OutOfStep { lag_s: lag.value, update }, evidence), effect))
 }
 
 fn unknown(series: &Series) -> String {

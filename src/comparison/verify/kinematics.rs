@@ -1,7 +1,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::interpolation::Stencil;
-use super::rotation::{log, turned};
+use super::rotation::{log, turned, turned_at_once};
 use super::series::{Series, count_of, rms};
 use super::update::Update;
 use crate::numerics::so3;
@@ -70,7 +70,7 @@ impl Turns {
         let both = intervals.map(|k| {
             let span = [times[k] + lag, times[k + 1] + lag];
             let made = turned(&Stencil::between(times, k, 6), omega, span);
-            (made, (made - turned(&Stencil::between(times, k, 4), omega, span)).norm())
+            (made, (made - turned_at_once(&Stencil::between(times, k, 4), omega, span)).norm())
         });
         let (made, lost): (Vec<_>, Vec<_>) = both.unzip();
         // The shorter way is not always the way that was gone.

@@ -24,6 +24,11 @@ pub fn turned(stencil: &Stencil, omega: &[Vector3<f64>], [from, to]: [f64; 2]) -
     log(&(so3::exp(&one) * so3::exp(&other)))
 }
 
+/// The same by one step: what it differs by tells how far two may be off.
+pub fn turned_at_once(stencil: &Stencil, omega: &[Vector3<f64>], [from, to]: [f64; 2]) -> Vector3<f64> {
+    log(&so3::exp(&magnus(stencil, omega, from, to - from)))
+}
+
 fn magnus(stencil: &Stencil, omega: &[Vector3<f64>], from: f64, step: f64) -> Vector3<f64> {
     const GAUSS: f64 = 0.288_675_134_594_812_9; // √3/6
     let at = |place: f64| stencil.vector(omega, from + place * step);

@@ -11,6 +11,8 @@ pub struct Verification {
     pub reasons: Vec<String>,
     /// What is likely wrong, the likeliest first; empty where nothing is.
     pub causes: Vec<Finding>,
+    /// What explains the errors of ω that there are, where they stay within the tolerance.
+    pub habits: Vec<Finding>,
     /// What is odd and no fault.
     pub remarks: Vec<String>,
     /// How far an attitude may be from the exact motion, rad.

@@ -78,6 +78,7 @@ pub fn verify(
         verdict: Verdict::CannotTell,
         reasons: Vec::new(),
         causes: Vec::new(),
+        habits: Vec::new(),
         remarks: Vec::new(),
         tolerance_rad,
         length,

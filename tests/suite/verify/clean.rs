@@ -9,6 +9,7 @@ use super::engine::{book, causes, evenly, exact, single, verified};
 fn assert_clean(what: &str, found: &polhode::comparison::verify::Verification) {
     assert_eq!(found.verdict, Verdict::Clean, "{what}: {:?} {:?}", found.reasons, found.causes);
     assert!(causes(found).is_empty(), "{what}: {:?}", found.causes);
+    assert!(found.habits.is_empty(), "{what}: {:?}", found.habits);
 }
 
 #[test]
@@ -112,7 +113,7 @@ fn the_turn_about_l_is_montgomerys() {
         let mut body = book(TorqueSpecs::default());
         body.problem.initial.angular_velocity = AngularVelocity::new(omega).expect("finite");
         let found = verified(&exact(&body, &evenly(6000, 0.002)), Some(&body)).montgomery.expect("free motion");
-        assert!(found.periods >= 3, "{found:?}");
+        assert!(found.periods >= 2, "{found:?}");
         assert!(found.worst_rad < 1e-11, "{omega:?}: {found:?}");
     }
 }

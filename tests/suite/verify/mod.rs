@@ -3,4 +3,7 @@
 mod causes;
 mod clean;
 mod engine;
+mod engines;
+#[cfg(feature = "cli")]
+mod program;
 mod readings;

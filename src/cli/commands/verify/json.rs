@@ -1,28 +1,16 @@
 use serde_json::{Value, json};
 
-use crate::comparison::verify::{Estimate, Growth, Reading, Update, Verification, axes_name};
+use crate::comparison::verify::{Estimate, Finding, Growth, Reading, Update, Verification, axes_name};
 
 /// All that was found of a body.
 pub fn of(found: &Verification) -> Value {
-    let causes: Vec<_> = found
-        .causes
-        .iter()
-        .map(|finding| {
-            json!({
-                "cause": finding.cause.name(),
-                "words": finding.cause.words(),
-                "share": finding.share,
-                "evidence": finding.evidence,
-                "advice": finding.cause.advice(),
-            })
-        })
-        .collect();
     let clock = &found.clock;
     json!({
         "body": found.name,
         "verdict": found.verdict.name(),
         "reasons": found.reasons,
-        "causes": causes,
+        "causes": found.causes.iter().map(finding).collect::<Vec<_>>(),
+        "habits": found.habits.iter().map(finding).collect::<Vec<_>>(),
         "remarks": found.remarks,
         "tolerance_rad": found.tolerance_rad,
         "samples": {
@@ -82,6 +70,16 @@ pub fn of(found: &Verification) -> Value {
             "tensor": (0..3).map(|row| (0..3).map(|column| fit.tensor[(row, column)]).collect()).collect::<Vec<Vec<f64>>>(),
             "residual": fit.residual,
         })),
+    })
+}
+
+fn finding(finding: &Finding) -> Value {
+    json!({
+        "cause": finding.cause.name(),
+        "words": finding.cause.words(),
+        "share": finding.share,
+        "evidence": finding.evidence,
+        "advice": finding.cause.advice(),
     })
 }
 

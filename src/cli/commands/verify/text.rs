@@ -16,6 +16,12 @@ pub fn of(file: &str, source: Option<&str>, found: &Verification) -> String {
             text.push_str(&cause(number + 1, finding));
         }
     }
+    if !found.habits.is_empty() {
+        text.push_str("\nWhat error there is, within the tolerance\n");
+        for (number, finding) in found.habits.iter().enumerate() {
+            text.push_str(&cause(number + 1, finding));
+        }
+    }
     text.push_str("\nMeasured\n");
     text.push_str(&measured(source, found).render("  "));
     if !found.remarks.is_empty() {
