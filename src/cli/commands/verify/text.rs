@@ -1,5 +1,6 @@
-use crate::cli::table::{Table, grouped};
+use crate::cli::table::Table;
 use crate::comparison::verify::{Estimate, Finding, Growth, Kinematics, Laws, Verdict, Verification};
+use crate::plot::grouped;
 
 /// Columns of a terminal.
 const WIDTH: usize = 80;
