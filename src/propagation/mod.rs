@@ -20,7 +20,7 @@ mod taylor;
 pub use axial_torque::AxialTorque;
 pub use ballistic::Ballistic;
 pub use damped::BrakedRotation;
-pub use distance::{attitude_distance, attitude_distances};
+pub use distance::{attitude_angle, attitude_distance, attitude_distances};
 pub use error::PropagationError;
 pub use fixed_step::{Coverage, FixedStep, FixedStepMethod, Information};
 pub use free::{FreeRotation, Reversals};

@@ -8,6 +8,7 @@ mod cli;
 #[cfg(feature = "cli")]
 mod cli_files;
 mod closed_torques;
+mod compare;
 #[cfg(feature = "cli")]
 mod contested_names;
 #[cfg(feature = "serde")]

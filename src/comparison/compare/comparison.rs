@@ -1,0 +1,227 @@
+use super::CompareError;
+use super::cursor::{Cursor, Feed, Window};
+use super::follower::Follower;
+use super::growth::Growth;
+use super::matching::{Matched, matched};
+use super::measure::Measure;
+use super::pairs::{Pairs, Scene, Stretch, Way};
+use super::report::{BodyReport, ChannelReport, Coverage, Difference, FactDifference, Report, SideReport};
+use super::side::Side;
+use super::tolerance::{Rule, Tolerances};
+use crate::recording::Heading;
+use crate::telemetry::{Channel, Samples};
+
+/// How two motions are to be compared.
+///
+/// ```no_run
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use polhode::comparison::{Comparison, Side};
+///
+/// let (a, b) = (Side::open("before.mcap".as_ref())?, Side::open("after.rrd".as_ref())?);
+/// let report = Comparison::default().run(a, b)?;
+/// println!("{}", report.verdict());
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Comparison {
+    /// What counts as the same.
+    pub tolerances: Tolerances,
+    /// What is compared; empty: every channel.
+    pub channels: Vec<Channel>,
+    /// Bodies of the first side that are called otherwise on the second, with that name. Others are those of equal name;
+    /// where this is empty and each side has one body, it is that.
+    pub names: Vec<(String, String)>,
+    /// By how much the clock of the second side is put forward, s.
+    pub shift_s: f64,
+    /// Where to begin, s of the first side's clock.
+    pub from_s: Option<f64>,
+    /// Where to end, s of the first side's clock.
+    pub to_s: Option<f64>,
+}
+
+/// What is compared, and what was found so far.
+struct Work {
+    bodies: Vec<Matched>,
+    measures: Vec<Vec<Measure>>,
+}
+
+impl Comparison {
+    /// Compares `a` with `b`, sample by sample at the times that they share: memory is flat at any length. A scene is
+    /// computed at the other side's times and with its channels; of two scenes, the second at those of the first.
+    ///
+    /// # Errors
+    /// If a side cannot be read or run, has no sample in the window, or the two have no times or channels in common.
+    pub fn run(&self, a: Side, b: Side) -> Result<Report, CompareError> {
+        let headings = [a.heading(), b.heading()];
+        let names = [a.name().to_owned(), b.name().to_owned()];
+        let is_scene = [&a, &b].map(|side| matches!(side, Side::Scene(_)));
+        let matching = matched(self, &headings, &names, is_scene)?;
+        let new = |matched: &Matched| {
+            matched.channels.iter().map(|channel| Measure::new(self.tolerances.of(*channel))).collect()
+        };
+        let measures = matching.bodies.iter().map(new).collect();
+        let mut work = Work { bodies: matching.bodies, measures };
+        let mut pairs = Pairs::new(self.way(a, b, &work.bodies)?);
+        while let Some(stretch) = pairs.next()? {
+            work.include(&stretch);
+        }
+        let coverage = pairs.coverage();
+        self.refuse_what_does_not_meet(&names, coverage, pairs.tally.common)?;
+        let mut differences = matching.differences;
+        differences.extend(self.time_differences(coverage, pairs.tally.only));
+        let side = |side: usize| SideReport {
+            name: names[side].clone(),
+            is_scene: is_scene[side],
+            has_provenance: !headings[side].provenance.is_empty(),
+            coverage: coverage[side],
+            alone: pairs.tally.only[side],
+        };
+        Ok(Report {
+            sides: [side(0), side(1)],
+            common: pairs.tally.common,
+            times_apart_s: pairs.tally.apart_s,
+            bodies: work.finish(&self.tolerances),
+            differences,
+            facts: fact_differences(&headings),
+        })
+    }
+
+    fn window(&self) -> Window {
+        Window { from_s: self.from_s.unwrap_or(f64::NEG_INFINITY), to_s: self.to_s.unwrap_or(f64::INFINITY) }
+    }
+
+    fn way<'a>(&self, a: Side<'a>, b: Side<'a>, bodies: &[Matched]) -> Result<Way<'a>, CompareError> {
+        let cursor = |feed, side: usize| Cursor::new(feed, self.window(), if side == 1 { self.shift_s } else { 0.0 });
+        let scene = |plan, side: usize| -> Result<Scene<'a>, CompareError> {
+            let shift_s = if side == 1 { self.shift_s } else { 0.0 };
+            Ok(Scene { plan, follower: Follower::new(&following(plan, bodies, side))?, side, shift_s })
+        };
+        Ok(match (a, b) {
+            (Side::Recording { recording: a, .. }, Side::Recording { recording: b, .. }) => {
+                Way::Merged { a: cursor(Feed::Recording(*a), 0), b: cursor(Feed::Recording(*b), 1) }
+            }
+            (Side::Recording { recording, .. }, Side::Scene(plan)) => {
+                Way::Followed { leader: cursor(Feed::Recording(*recording), 0), scene: scene(plan, 1)? }
+            }
+            (Side::Scene(plan), Side::Recording { recording, .. }) => {
+                Way::Followed { leader: cursor(Feed::Recording(*recording), 1), scene: scene(plan, 0)? }
+            }
+            (Side::Scene(led), Side::Scene(plan)) => {
+                Way::Followed { leader: cursor(Feed::Run(led.start()?), 0), scene: scene(plan, 1)? }
+            }
+        })
+    }
+
+    fn refuse_what_does_not_meet(
+        &self,
+        names: &[String; 2],
+        coverage: [Coverage; 2],
+        common: Coverage,
+    ) -> Result<(), CompareError> {
+        for (name, coverage) in names.iter().zip(coverage) {
+            if coverage.samples == 0 && common.samples == 0 {
+                let window = match (self.from_s, self.to_s) {
+                    (None, None) => String::new(),
+                    (Some(from), None) => format!(" from {from} s on"),
+                    (None, Some(to)) => format!(" up to {to} s"),
+                    (Some(from), Some(to)) => format!(" from {from} to {to} s"),
+                };
+                return Err(CompareError::Empty { side: name.clone(), window });
+            }
+        }
+        // A start that they share says nothing of the rest.
+        let is_only_one = common.samples == 1 && coverage.iter().all(|coverage| coverage.samples > 1);
+        if common.samples == 0 || is_only_one {
+            let [a, b] = names.clone();
+            return Err(CompareError::NoCommonTimes { a, b, common: common.samples, times: coverage });
+        }
+        Ok(())
+    }
+
+    /// Sides of other rates have times of their own; where one side has nothing at all, they differ.
+    fn time_differences(&self, [a, b]: [Coverage; 2], only: [Coverage; 2]) -> Vec<Difference> {
+        let interval_s = 1.5 * a.interval_s.max(b.interval_s);
+        let is_apart = |a: f64, b: f64| (a - b).abs() > interval_s;
+        if is_apart(a.from_s, b.from_s) || is_apart(a.to_s, b.to_s) {
+            return vec![Difference::Span];
+        }
+        let counts = |side: &usize| self.tolerances.are_exact() && only[*side].samples > 0;
+        (0..2).filter(counts).map(|side| Difference::Times { side }).collect()
+    }
+}
+
+/// The bodies of a scene that are compared, in their order, with the channels compared.
+fn following<'a>(
+    plan: &'a crate::scenario::Plan,
+    bodies: &[Matched],
+    side: usize,
+) -> Vec<(&'a crate::scenario::PlannedBody, Vec<Channel>)> {
+    let followed = |(number, body)| {
+        let matched = bodies.iter().find(|matched| matched.numbers[side] == number);
+        (body, matched.map(|matched| matched.channels.clone()).unwrap_or_default())
+    };
+    plan.bodies.iter().enumerate().map(followed).collect()
+}
+
+impl Work {
+    fn include(&mut self, stretch: &Stretch) {
+        for (matched, measures) in self.bodies.iter().zip(&mut self.measures) {
+            for (channel, measure) in matched.channels.iter().zip(measures) {
+                let columns = |side: usize| {
+                    let (samples, range): &(&Samples, _) = &stretch.sides[side];
+                    let columns = samples.bodies[matched.numbers[side]].channel(*channel).unwrap_or_default();
+                    columns.iter().map(|column| &column[range.clone()]).collect::<Vec<_>>()
+                };
+                measure.include(stretch.times_s, &columns(0), &columns(1));
+            }
+        }
+    }
+
+    fn finish(self, tolerances: &Tolerances) -> Vec<BodyReport> {
+        let body = |(matched, measures): (Matched, Vec<Measure>)| {
+            let channels = matched.channels.iter().zip(measures);
+            let channels = channels.map(|(channel, measure)| finished(*channel, tolerances.of(*channel), measure));
+            BodyReport { names: matched.names, channels: channels.collect() }
+        };
+        self.bodies.into_iter().zip(self.measures).map(body).collect()
+    }
+}
+
+fn finished(channel: Channel, rule: Rule, measure: Measure) -> ChannelReport {
+    let limit = match rule {
+        Rule::Within(tolerance) => Some(tolerance.limit(measure.size)),
+        Rule::Exact | Rule::Shown => None,
+    };
+    let first_out_s = match rule {
+        Rule::Within(_) => limit.and_then(|limit| measure.exceeding.first(limit)),
+        Rule::Exact => measure.bits.first.map(|first| first.time_s),
+        Rule::Shown => None,
+    };
+    let ceiling = if channel == Channel::Attitude { std::f64::consts::PI } else { measure.size };
+    ChannelReport {
+        channel,
+        rule,
+        samples: measure.samples,
+        size: measure.size,
+        limit,
+        worst: measure.worst,
+        rms: measure.rms(),
+        first_out_s,
+        bits: measure.bits,
+        growth: Growth::of(&measure.trace, ceiling),
+        trace: measure.trace,
+    }
+}
+
+/// What the sides say otherwise; where one says nothing at all there is nothing to compare.
+fn fact_differences([a, b]: &[Heading; 2]) -> Vec<FactDifference> {
+    if a.provenance.is_empty() || b.provenance.is_empty() {
+        return Vec::new();
+    }
+    let names = a.provenance.iter().map(|(name, _)| name);
+    let more = b.provenance.iter().map(|(name, _)| name).filter(|name| a.fact(name).is_none());
+    let values = |name: &String| [a.fact(name), b.fact(name)].map(|value| value.map(str::to_owned));
+    let both = names.chain(more).map(|name| FactDifference { name: name.clone(), values: values(name) });
+    both.filter(|fact| fact.values[0] != fact.values[1]).collect()
+}

@@ -1,0 +1,70 @@
+use super::report::{ChannelReport, Difference, Report};
+use super::tolerance::Rule;
+
+impl Report {
+    /// Same or not, and why, in a line.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        let out = self.channels().filter(|(_, channel)| !channel.is_same()).count();
+        let others = (out + self.differences.len()).saturating_sub(1);
+        let others = if others == 0 { String::new() } else { format!(" (and {others} more)") };
+        if let Some((body, channel)) = self.worst().filter(|(_, channel)| !channel.is_same()) {
+            return format!("differs: {}{others}", leaves(&body.names[0], channel));
+        }
+        if let Some(difference) = self.differences.first() {
+            return format!("differs: {}{others}", self.describe(difference));
+        }
+        if self.is_same_to_the_bit() {
+            return format!("same to the bit, at {} times", self.common.samples);
+        }
+        let Some((body, channel)) = self.worst() else { return "same".into() };
+        let Some(limit) = channel.limit else { return "same in all that is judged".into() };
+        let (name, unit, worst) = (channel.channel.row().name, channel.unit(), channel.worst_difference());
+        format!("same: nearest to its limit is {name} of {}, {worst:.1e} of {limit:.1e} {unit}", body.names[0])
+    }
+
+    /// A difference other than of values, in words.
+    #[must_use]
+    pub fn describe(&self, difference: &Difference) -> String {
+        let name = |side: usize| &self.sides[side].name;
+        match difference {
+            Difference::Body { side, name: body } => format!("body {body} is in {} only", name(*side)),
+            Difference::Channel { side, body, channel } => {
+                format!("{} of {body} is in {} only", channel.row().name, name(*side))
+            }
+            Difference::Span => {
+                let [a, b] = self.sides.each_ref().map(|side| side.coverage);
+                let (a, b) = (format!("{} to {} s", a.from_s, a.to_s), format!("{} to {} s", b.from_s, b.to_s));
+                format!("{} has samples from {a}, {} from {b}", name(0), name(1))
+            }
+            Difference::Times { side } => {
+                let alone = self.sides[*side].alone;
+                format!("{} times are in {} only, the first at {} s", alone.samples, name(*side), alone.from_s)
+            }
+        }
+    }
+}
+
+impl ChannelReport {
+    /// In what differences are told: rad between attitudes.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        let row = self.channel.row();
+        if row.components.len() == 4 { "rad" } else { row.unit }
+    }
+}
+
+/// What is out of tolerance, and since when.
+fn leaves(body: &str, channel: &ChannelReport) -> String {
+    let name = channel.channel.row().name;
+    let from_s = channel.first_out_s.unwrap_or_default();
+    if let (Rule::Within(_), Some(limit)) = (channel.rule, channel.limit) {
+        return format!("{name} of {body} leaves {limit:.1e} {} at {from_s} s", channel.unit());
+    }
+    let ulps = match channel.bits.most_ulps {
+        u64::MAX => "no number on one side".to_owned(),
+        1 => "1 ulp at most".to_owned(),
+        ulps => format!("{ulps} ulps at most"),
+    };
+    format!("{name} of {body} has other bits from {from_s} s on, {ulps}")
+}
