@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use super::Arguments;
 use super::args::Command;
-use super::commands::{bench, convert, inspect, list, plan, plot, recover, report, run, verify, view};
+use super::commands::{bench, compare, convert, digest, inspect, list, plan, plot, recover, report, run, verify, view};
 use super::output::remark;
 use crate::scenario::{Scenario, ScenarioError};
 
@@ -13,7 +13,7 @@ use crate::scenario::{Scenario, ScenarioError};
 pub(super) enum Outcome {
     /// All is well.
     Done,
-    /// A check failed.
+    /// A check failed, or two recordings differ.
     Failed,
     /// Something could not be done; it has been said.
     Impossible,
@@ -30,6 +30,8 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::Inspect(arguments) => inspect::execute(&arguments),
         Command::Verify(arguments) => verify::execute(&arguments),
         Command::Convert(arguments) => convert::execute(&arguments),
+        Command::Compare(arguments) => compare::execute(&arguments),
+        Command::Digest(arguments) => digest::execute(&arguments),
         Command::Recover(arguments) => recover::execute(&arguments),
         Command::Plot(arguments) => Ok(plot::execute(&arguments)),
         Command::Report(arguments) => Ok(report::execute(&arguments)),

@@ -1,6 +1,6 @@
 //! The program: asks, shows, exits.
 //!
-//! Results go to stdout, progress and remarks to stderr. Exit codes: 0 done, 1 a check failed, 2 could not.
+//! Results go to stdout, progress and remarks to stderr. Exit codes: 0 done or same, 1 a check failed or recordings differ, 2 could not.
 
 mod args;
 mod commands;

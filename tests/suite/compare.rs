@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode::comparison::{CompareError, Comparison, Difference, Law, Report, Rule, Side, Tolerance, Tolerances};
+use polhode::comparison::{
+    CompareError, Comparison, Difference, Finding, Law, Report, Rule, Side, Tolerance, Tolerances,
+};
 use polhode::recording::Recorder;
 use polhode::scenario::{BodySpec, Method, Plan, Scenario};
 use polhode::telemetry::Channel;
@@ -98,7 +100,7 @@ fn one_ulp_is_found_with_its_place_and_time() {
     let first = found.bits.first.expect("a difference");
     assert_eq!((found.bits.differing, found.bits.most_ulps), (1, 1));
     assert_eq!((first.time_s, first.component, first.values), (4321.0 * 0.01, 2, [value, value.next_up()]));
-    assert_eq!(report.channels().filter(|(_, channel)| !channel.is_same()).count(), 1);
+    assert_eq!(report.channels().filter(|(_, channel)| channel.finding() != Finding::Same).count(), 1);
     assert_eq!(report.verdict(), "differs: angular_velocity of body has other bits from 43.21 s on, 1 ulp at most");
     // Far below what is different where nothing is said of bits.
     assert!(compared(&Comparison::default(), &a, &b).is_same());
@@ -240,6 +242,107 @@ fn a_scene_is_computed_at_the_times_of_a_recording() {
     let report = shifted.run(Side::Scene(&plan), Side::Scene(&plan)).expect("times in common");
     assert!(!report.is_same());
     assert_eq!((report.sides[0].alone.samples, report.common.samples), (50, 9001 - 50));
+}
+
+#[test]
+fn what_interpolation_makes_is_told_from_what_differs() {
+    let folder = tempdir().expect("a folder");
+    let every = |seconds: f64, rate: f64, file: &str| {
+        let body = BodySpec { angular_velocity_rad_s: Some([0.7, -0.4, rate]), ..asymmetric() };
+        let scene = Scenario { sample_every_s: Some(seconds), body: vec![body], ..scene() };
+        record(&plan(&scene), &folder.path().join(file))
+    };
+    let resampled = |tolerances: Tolerances| Comparison { tolerances, is_resampled: true, ..Comparison::default() };
+    let (a, b) = (every(0.01, 1.1, "a.csv"), every(0.011_3, 1.1, "b.csv"));
+    let report = compared(&resampled(Tolerances::default()), &a, &b);
+    // The last of A is after the last of B.
+    assert!(report.common.samples > 8999 && report.sides[0].alone.samples <= 1, "{:?}", report.common);
+    for (_, channel) in report.channels().filter(|(_, channel)| channel.rule != Rule::Shown) {
+        let (error, worst) = (channel.interpolation.expect("interpolated"), channel.worst_difference());
+        let name = channel.channel.row().name;
+        // The same motion: what is between them is interpolation, and what is told of it covers it, not much larger.
+        let rounding = 1e-14 * channel.size;
+        assert!(worst <= error + rounding && error <= 10.0 * worst + rounding, "{name}: {worst} of {error}");
+    }
+    let all = |relative: f64| {
+        let rule = Rule::Within(Tolerance::new(0.0, relative).expect("a tolerance"));
+        let judged = Channel::ALL.into_iter().filter(|channel| Tolerances::default().of(*channel) != Rule::Shown);
+        judged.fold(Tolerances::default(), |tolerances, channel| tolerances.with(channel, rule))
+    };
+    // Below what interpolation can tell nothing is said; above it they are the same.
+    let report = compared(&resampled(all(1e-12)), &a, &b);
+    assert_eq!(report.finding(), Finding::Undecided, "{}", report.verdict());
+    assert!(report.verdict().starts_with("cannot tell: "), "{}", report.verdict());
+    assert_eq!(compared(&resampled(all(1e-8)), &a, &b).finding(), Finding::Same);
+    // A motion that is another by 1e-6 is told from it at once.
+    let other = compared(&resampled(Tolerances::default()), &a, &every(0.011_3, 1.1 + 1e-6, "c.csv"));
+    assert_eq!(other.finding(), Finding::Different);
+    assert_eq!(channel(&other, Channel::AngularVelocity).first_out_s, Some(0.0));
+}
+
+#[test]
+fn tolerances_are_said_in_words_and_in_files() {
+    let default = Tolerances::default;
+    let set =
+        default().assign("angular_velocity=1e-12,1e-9").and_then(|set| set.assign("slip = exact")).expect("known");
+    let rule = Rule::Within(Tolerance::new(1e-12, 1e-9).expect("a tolerance"));
+    assert_eq!((set.of(Channel::AngularVelocity), set.of(Channel::Slip)), (rule, Rule::Exact));
+    assert_eq!(set.of(Channel::Attitude), default().of(Channel::Attitude));
+    for (assignment, message) in [
+        ("angular_velocty=1", "\"angular_velocty\" is no channel; did you mean \"angular_velocity\"?"),
+        ("attitude", "\"attitude\" is no tolerance: they read NAME=ABSOLUTE"),
+        ("attitude=small", "\"attitude=small\" is no tolerance"),
+        ("attitude=-1", "a tolerance of -1.0: it is a number from 0 on"),
+        ("attitude=NaN", "a tolerance of NaN"),
+        ("attitude=1,inf", "a tolerance of inf"),
+    ] {
+        let refused = default().assign(assignment).expect_err(assignment).to_string();
+        assert!(refused.starts_with(message), "{refused}");
+    }
+}
+
+#[cfg(feature = "serde")]
+#[test]
+fn files_of_tolerances_have_units_and_no_unknown_keys() {
+    let parse = |text: &str| Tolerances::default().parse(text, "limits.toml");
+    let text = "attitude_rad = 1e-6\nangular_velocity_rad_s = { absolute = 1e-12, relative = 1e-9 }\n\
+                total_energy_j = { relative = 1e-12 }\ntilt_rad = \"exact\"\nenergy_drift_per_1e15 = 2\n";
+    let set = parse(text).expect("good");
+    let within = |absolute, relative| Rule::Within(Tolerance::new(absolute, relative).expect("a tolerance"));
+    assert_eq!(set.of(Channel::Attitude), within(1e-6, 0.0));
+    assert_eq!(set.of(Channel::AngularVelocity), within(1e-12, 1e-9));
+    assert_eq!(set.of(Channel::TotalEnergy), within(0.0, 1e-12));
+    assert_eq!(set.of(Channel::EnergyDrift), within(2.0, 0.0));
+    assert_eq!(set.of(Channel::Tilt), Rule::Exact);
+    for (text, message) in [
+        ("\nattitude = 1e-6", "limits.toml:2:1: \"attitude\" is no channel; did you mean \"attitude_rad\"?"),
+        ("tilt_rad = -1", "limits.toml:1:12: tilt_rad: a tolerance of -1.0: it is a number from 0 on"),
+        ("tilt_rad = { absolut = 1 }", "limits.toml:1:12: tilt_rad: \"absolut\" is no key of a tolerance"),
+        ("tilt_rad = {}", "limits.toml:1:12: tilt_rad: a tolerance is a number"),
+        ("tilt_rad = \"large\"", "limits.toml:1:12: tilt_rad: \"large\": a tolerance is a number"),
+        ("tilt_rad = ", "limits.toml:1:"),
+    ] {
+        let refused = parse(text).expect_err(text).to_string();
+        assert!(refused.starts_with(message), "{refused}");
+    }
+}
+
+#[test]
+fn bodies_of_other_names_are_paired_where_that_is_said() {
+    let pair = |names: [&str; 2]| {
+        let bodies = names.map(|name| BodySpec { name: name.into(), ..asymmetric() });
+        plan(&Scenario { duration_s: Some(1.0), body: bodies.to_vec(), ..scene() })
+    };
+    let (a, b) = (pair(["one", "two"]), pair(["two", "three"]));
+    let run = |comparison: &Comparison| comparison.run(Side::Scene(&a), Side::Scene(&b));
+    let report = run(&Comparison::default()).expect("one in common");
+    let lone = |side, name: &str| Difference::Body { side, name: name.into() };
+    assert_eq!(report.differences, [lone(0, "one"), lone(1, "three")]);
+    let names = |b: &str| Comparison { names: vec![("one".into(), b.into())], ..Comparison::default() };
+    let report = run(&names("three")).expect("both");
+    assert!(report.is_same() && report.bodies.len() == 2, "{}", report.verdict());
+    let refused = run(&names("thre")).expect_err("no such body").to_string();
+    assert_eq!(refused, "stone has no body \"thre\": did you mean \"three\"?");
 }
 
 #[test]

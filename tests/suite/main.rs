@@ -6,6 +6,8 @@ mod certificates;
 #[cfg(feature = "cli")]
 mod cli;
 #[cfg(feature = "cli")]
+mod cli_compare;
+#[cfg(feature = "cli")]
 mod cli_files;
 mod closed_torques;
 mod compare;

@@ -1,6 +1,7 @@
 //! What is asked: flags and their help, one file for each group of commands.
 
 mod bench;
+mod compare;
 mod overrides;
 mod pictures;
 mod recordings;
@@ -11,6 +12,7 @@ mod verify;
 use clap::{Parser, Subcommand};
 
 pub(super) use bench::BenchArguments;
+pub(super) use compare::{CompareArguments, DigestArguments};
 pub(super) use overrides::Overrides;
 pub(super) use pictures::{PlotArguments, ReportArguments};
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
@@ -34,14 +36,17 @@ Examples:
   polhode verify engine.csv --map engine.toml --principal-moments 1,2,3
                                                   is a program's rotation right, and if not, why?
   polhode convert run.mcap run.rrd run.csv        the same recording in other formats, to the bit
+  polhode compare a.mcap b.rrd                    are they the same motion? where, since when, and how do they part?
+  polhode compare run.mcap dzhanibekov --exact    does the scene still give this recording, to the bit?
+  polhode digest run.mcap run.csv                 SHA-256 of the content, the same in every format
   polhode recover recordings/run.mcap.part        a whole recording of what a killed run left
   polhode plot recordings/dzhanibekov.mcap -o dzhanibekov.svg      its motion as plots, without a viewer
   polhode plot lagrange_top --channels tilt,axis_path -o top.png   of a scene, only these
   polhode report dzhanibekov --certify -o dzhanibekov.html         all there is to know of it on one page
   polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
 
-Exit codes: 0 done, 1 a check failed, a certified tolerance was missed or a rotation is wrong, 2 could not (usage, input,
-file).";
+Exit codes: 0 done, 1 a check failed, a certified tolerance was missed, recordings differ or a rotation is wrong, 2 could not
+(usage, input, file).";
 
 /// Exact motions of rotating rigid bodies, recorded for Rerun and Foxglove.
 #[derive(Debug, Parser)]
@@ -74,6 +79,14 @@ pub(super) enum Command {
     /// Where the recording carries its scene (.mcap and .rrd do), the new one has pictures, layout and log: it is what a run
     /// to that format gives. Otherwise it has columns and words only.
     Convert(ConvertArguments),
+    /// Tell whether two recordings, or a recording and a scene, are the same motion.
+    ///
+    /// Samples are paired by their times, to the ns. Attitudes are compared by the angle between them, vectors by the length of
+    /// what is between them. Prints for each channel where the two are furthest apart, when they part, and by which law that
+    /// grows. Exits with 0 if they are the same, 1 if they differ, 2 if they cannot be compared.
+    Compare(CompareArguments),
+    /// Print the SHA-256 of what recordings hold: the same for every format of one run.
+    Digest(DigestArguments),
     /// Make a whole recording of the .part that a killed run left, and say how many samples it kept.
     Recover(RecoverArguments),
     /// Draw a recording or a scene: ω, L, energies, drift, the polhode on its ellipsoid, the herpolhode.

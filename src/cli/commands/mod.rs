@@ -1,7 +1,9 @@
 //! What can be asked of the program: a file or folder for each command.
 
 pub mod bench;
+pub mod compare;
 pub mod convert;
+pub mod digest;
 pub mod inspect;
 pub mod list;
 pub mod plan;

@@ -6,6 +6,7 @@ use super::matching::{Matched, matched};
 use super::measure::Measure;
 use super::pairs::{Pairs, Scene, Stretch, Way};
 use super::report::{BodyReport, ChannelReport, Coverage, Difference, FactDifference, Report, SideReport};
+use super::resampler::Resampler;
 use super::side::Side;
 use super::tolerance::{Rule, Tolerances};
 use crate::recording::Heading;
@@ -34,6 +35,8 @@ pub struct Comparison {
     pub names: Vec<(String, String)>,
     /// By how much the clock of the second side is put forward, s.
     pub shift_s: f64,
+    /// Whether the second of two recordings is interpolated at the times of the first.
+    pub is_resampled: bool,
     /// Where to begin, s of the first side's clock.
     pub from_s: Option<f64>,
     /// Where to end, s of the first side's clock.
@@ -81,9 +84,9 @@ impl Comparison {
             sides: [side(0), side(1)],
             common: pairs.tally.common,
             times_apart_s: pairs.tally.apart_s,
-            bodies: work.finish(&self.tolerances),
+            bodies: work.finish(&self.tolerances, &pairs),
             differences,
-            facts: fact_differences(&headings),
+            facts: fact_differences(&headings, is_scene),
         })
     }
 
@@ -98,6 +101,11 @@ impl Comparison {
             Ok(Scene { plan, follower: Follower::new(&following(plan, bodies, side))?, side, shift_s })
         };
         Ok(match (a, b) {
+            (Side::Recording { recording: a, .. }, Side::Recording { recording: b, .. }) if self.is_resampled => {
+                let count = b.heading().bodies.len();
+                let b = Resampler::new(cursor(Feed::Recording(*b), 1), bodies, count);
+                Way::Resampled { a: cursor(Feed::Recording(*a), 0), b }
+            }
             (Side::Recording { recording: a, .. }, Side::Recording { recording: b, .. }) => {
                 Way::Merged { a: cursor(Feed::Recording(*a), 0), b: cursor(Feed::Recording(*b), 1) }
             }
@@ -178,23 +186,26 @@ impl Work {
         }
     }
 
-    fn finish(self, tolerances: &Tolerances) -> Vec<BodyReport> {
+    fn finish(self, tolerances: &Tolerances, pairs: &Pairs) -> Vec<BodyReport> {
         let body = |(matched, measures): (Matched, Vec<Measure>)| {
-            let channels = matched.channels.iter().zip(measures);
-            let channels = channels.map(|(channel, measure)| finished(*channel, tolerances.of(*channel), measure));
+            let channels = matched.channels.iter().zip(measures).enumerate();
+            let channels = channels.map(|(number, (channel, measure))| {
+                let interpolation = pairs.interpolation(matched.numbers[1], number);
+                finished(*channel, tolerances.of(*channel), measure, interpolation)
+            });
             BodyReport { names: matched.names, channels: channels.collect() }
         };
         self.bodies.into_iter().zip(self.measures).map(body).collect()
     }
 }
 
-fn finished(channel: Channel, rule: Rule, measure: Measure) -> ChannelReport {
+fn finished(channel: Channel, rule: Rule, measure: Measure, interpolation: Option<f64>) -> ChannelReport {
     let limit = match rule {
         Rule::Within(tolerance) => Some(tolerance.limit(measure.size)),
         Rule::Exact | Rule::Shown => None,
     };
     let first_out_s = match rule {
-        Rule::Within(_) => limit.and_then(|limit| measure.exceeding.first(limit)),
+        Rule::Within(_) => limit.and_then(|limit| measure.exceeding.first(limit + interpolation.unwrap_or(0.0))),
         Rule::Exact => measure.bits.first.map(|first| first.time_s),
         Rule::Shown => None,
     };
@@ -205,6 +216,7 @@ fn finished(channel: Channel, rule: Rule, measure: Measure) -> ChannelReport {
         samples: measure.samples,
         size: measure.size,
         limit,
+        interpolation,
         worst: measure.worst,
         rms: measure.rms(),
         first_out_s,
@@ -215,13 +227,19 @@ fn finished(channel: Channel, rule: Rule, measure: Measure) -> ChannelReport {
 }
 
 /// What the sides say otherwise; where one says nothing at all there is nothing to compare.
-fn fact_differences([a, b]: &[Heading; 2]) -> Vec<FactDifference> {
+fn fact_differences([a, b]: &[Heading; 2], is_scene: [bool; 2]) -> Vec<FactDifference> {
     if a.provenance.is_empty() || b.provenance.is_empty() {
         return Vec::new();
     }
+    // Of a scene, nothing was measured here.
+    let is_told = |name: &&String| {
+        let is_measured = name.starts_with("check.") || name.contains(".certificate.");
+        !is_measured || is_scene == [false, false]
+    };
     let names = a.provenance.iter().map(|(name, _)| name);
     let more = b.provenance.iter().map(|(name, _)| name).filter(|name| a.fact(name).is_none());
     let values = |name: &String| [a.fact(name), b.fact(name)].map(|value| value.map(str::to_owned));
-    let both = names.chain(more).map(|name| FactDifference { name: name.clone(), values: values(name) });
+    let both = names.chain(more).filter(is_told);
+    let both = both.map(|name| FactDifference { name: name.clone(), values: values(name) });
     both.filter(|fact| fact.values[0] != fact.values[1]).collect()
 }

@@ -52,7 +52,7 @@ pub enum CompareError {
         hint: String,
     },
     /// Two sides that have nothing that could be compared.
-    #[error("{a} and {b} have no channel in common")]
+    #[error("{a} and {b} have no body of one name with a channel in common: --body A=B says which is which")]
     NothingInCommon {
         /// The first side.
         a: String,

@@ -4,6 +4,7 @@ use super::CompareError;
 use super::cursor::Cursor;
 use super::follower::Follower;
 use super::report::Coverage;
+use super::resampler::Resampler;
 use crate::scenario::{Plan, nanoseconds};
 use crate::telemetry::Samples;
 
@@ -20,6 +21,8 @@ pub(super) enum Way<'a> {
     Merged { a: Cursor<'a>, b: Cursor<'a> },
     /// One side is computed at the times of the other.
     Followed { leader: Cursor<'a>, scene: Scene<'a> },
+    /// The second is interpolated at the times of the first.
+    Resampled { a: Cursor<'a>, b: Resampler<'a> },
 }
 
 /// The side that is computed.
@@ -57,6 +60,7 @@ impl<'a> Pairs<'a> {
         match &mut self.way {
             Way::Merged { a, b } => merge(a, b, &mut self.tally),
             Way::Followed { leader, scene } => follow(leader, scene, &mut self.tally),
+            Way::Resampled { a, b } => resample(a, b, &mut self.tally),
         }
     }
 
@@ -64,11 +68,22 @@ impl<'a> Pairs<'a> {
     pub fn coverage(&self) -> [Coverage; 2] {
         match &self.way {
             Way::Merged { a, b } => [a.coverage(), b.coverage()],
+            Way::Resampled { a, b } => [a.coverage(), b.cursor().coverage()],
             Way::Followed { leader, scene } => {
                 let mut sides = [leader.coverage(); 2];
                 sides[scene.side] = scene.coverage(leader, &self.tally);
                 sides
             }
+        }
+    }
+}
+
+impl Pairs<'_> {
+    /// How far a channel of a body may be off where it was interpolated; bodies are those of the second side.
+    pub fn interpolation(&self, body: usize, channel: usize) -> Option<f64> {
+        match &self.way {
+            Way::Resampled { b, .. } => Some(b.error(body, channel)),
+            _ => None,
         }
     }
 }
@@ -154,6 +169,32 @@ fn follow<'p>(
         let sides = if scene.side == 0 { [following, led] } else { [led, following] };
         return Ok(Some(Stretch { times_s, sides }));
     }
+    Ok(None)
+}
+
+fn resample<'p>(
+    a: &'p mut Cursor,
+    b: &'p mut Resampler,
+    tally: &mut Tally,
+) -> Result<Option<Stretch<'p>>, CompareError> {
+    while a.refill()? {
+        let times_s = a.times_s();
+        let (before, until) = b.fill(times_s)?;
+        // With nothing between, what is left is after the last.
+        let done = if until > before { until } else { times_s.len() };
+        let lone = &mut tally.only[0];
+        lone.include(&times_s[..before]);
+        lone.include(&times_s[until..done]);
+        tally.common.include(&times_s[before..until]);
+        let start = a.samples().1;
+        a.advance(done);
+        if until > before {
+            let range = start + before..start + until;
+            let sides = [(a.samples().0, range.clone()), (b.samples(), 0..until - before)];
+            return Ok(Some(Stretch { times_s: &sides[0].0.times_s[range], sides }));
+        }
+    }
+    b.drain()?;
     Ok(None)
 }
 

@@ -72,11 +72,14 @@ pub struct ChannelReport {
     pub size: f64,
     /// How far apart values may be, in the channel's unit, rad between attitudes; `None` where that is not what is judged.
     pub limit: Option<f64>,
+    /// How far interpolation is off, in the channel's unit, where one side was interpolated: an estimate. No less than this
+    /// and the limit together is a difference.
+    pub interpolation: Option<f64>,
     /// Where they are furthest apart; `None` if all bits are the same.
     pub worst: Option<Worst>,
     /// Root of the mean square of the differences.
     pub rms: f64,
-    /// When the limit (or the first bit) is first left, s.
+    /// When the limit (with what interpolation may be off, or the first bit) is first left, s.
     pub first_out_s: Option<f64>,
     /// How the bits differ.
     pub bits: Bits,
@@ -84,6 +87,17 @@ pub struct ChannelReport {
     pub growth: Option<Growth>,
     /// The difference over time.
     pub trace: Trace,
+}
+
+/// What comes of a comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Finding {
+    /// Within the tolerance.
+    Same,
+    /// Out of tolerance by no more than interpolation may be off.
+    Undecided,
+    /// Out of tolerance.
+    Different,
 }
 
 /// Something that only one side has, or has otherwise. Sides are 0 and 1.
@@ -123,6 +137,16 @@ pub struct FactDifference {
     pub values: [Option<String>; 2],
 }
 
+impl BodyReport {
+    /// Its name: that of the first side, unless only the second knows it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        // What a `.csv` with a single body calls it.
+        let [a, b] = &self.names;
+        if a == "body" { b } else { a }
+    }
+}
+
 impl Coverage {
     /// Goes on by these times, s, ascending.
     #[expect(clippy::cast_precision_loss, reason = "a mean")]
@@ -138,10 +162,16 @@ impl Coverage {
 }
 
 impl ChannelReport {
-    /// Whether nothing is out of tolerance.
+    /// What is found of it.
     #[must_use]
-    pub fn is_same(&self) -> bool {
-        self.first_out_s.is_none()
+    pub fn finding(&self) -> Finding {
+        if self.first_out_s.is_some() {
+            Finding::Different
+        } else if self.limit.is_some_and(|limit| self.worst_difference() > limit) {
+            Finding::Undecided
+        } else {
+            Finding::Same
+        }
     }
 
     /// The worst difference.
@@ -164,7 +194,7 @@ impl ChannelReport {
         match (self.rule, self.limit) {
             (Rule::Shown, _) => 0.0,
             (Rule::Within(_), Some(limit)) if self.worst_difference() > 0.0 => self.worst_difference() / limit,
-            _ if self.is_same() => 0.0,
+            _ if self.first_out_s.is_none() => 0.0,
             _ => f64::INFINITY,
         }
     }
@@ -173,8 +203,15 @@ impl ChannelReport {
 impl Report {
     /// Whether this is the same motion, as far as was asked for.
     #[must_use]
+    pub fn finding(&self) -> Finding {
+        let of_channels = self.channels().map(|(_, channel)| channel.finding()).max().unwrap_or(Finding::Same);
+        if self.differences.is_empty() { of_channels } else { Finding::Different }
+    }
+
+    /// Whether nothing that was asked for differs.
+    #[must_use]
     pub fn is_same(&self) -> bool {
-        self.differences.is_empty() && self.channels().all(|(_, channel)| channel.is_same())
+        self.finding() == Finding::Same
     }
 
     /// Whether all bits of what was compared are the same.

@@ -1,5 +1,4 @@
-use thiserror::Error;
-
+use super::ToleranceError;
 use crate::telemetry::Channel;
 
 /// How far apart two values of a channel may be and count as the same: `absolute + relative × size`, where the size is the
@@ -11,11 +10,6 @@ pub struct Tolerance {
     absolute: f64,
     relative: f64,
 }
-
-/// A tolerance that is none.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error("a tolerance of {0:?}: it is a number from 0 on")]
-pub struct ToleranceError(pub f64);
 
 /// By what a channel is judged.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +42,7 @@ impl Tolerance {
     pub fn new(absolute: f64, relative: f64) -> Result<Self, ToleranceError> {
         let is_none = |value: &f64| !(0.0..f64::INFINITY).contains(value);
         match [absolute, relative].into_iter().find(is_none) {
-            Some(value) => Err(ToleranceError(value)),
+            Some(value) => Err(ToleranceError::Number { value }),
             None => Ok(Self { absolute, relative }),
         }
     }

@@ -1,15 +1,17 @@
-use super::report::{ChannelReport, Difference, Report};
+use super::report::{ChannelReport, Difference, Finding, Report};
 use super::tolerance::Rule;
+use super::tolerance_words::unit;
 
 impl Report {
     /// Same or not, and why, in a line.
     #[must_use]
     pub fn verdict(&self) -> String {
-        let out = self.channels().filter(|(_, channel)| !channel.is_same()).count();
+        let is_out = |channel: &ChannelReport| channel.finding() == Finding::Different;
+        let out = self.channels().filter(|(_, channel)| is_out(channel)).count();
         let others = (out + self.differences.len()).saturating_sub(1);
         let others = if others == 0 { String::new() } else { format!(" (and {others} more)") };
-        if let Some((body, channel)) = self.worst().filter(|(_, channel)| !channel.is_same()) {
-            return format!("differs: {}{others}", leaves(&body.names[0], channel));
+        if let Some((body, channel)) = self.worst().filter(|(_, channel)| is_out(channel)) {
+            return format!("differs: {}{others}", leaves(body.name(), channel));
         }
         if let Some(difference) = self.differences.first() {
             return format!("differs: {}{others}", self.describe(difference));
@@ -20,7 +22,14 @@ impl Report {
         let Some((body, channel)) = self.worst() else { return "same".into() };
         let Some(limit) = channel.limit else { return "same in all that is judged".into() };
         let (name, unit, worst) = (channel.channel.row().name, channel.unit(), channel.worst_difference());
-        format!("same: nearest to its limit is {name} of {}, {worst:.1e} of {limit:.1e} {unit}", body.names[0])
+        let of = format!("{name} of {}", body.name());
+        match channel.interpolation {
+            Some(error) if channel.finding() == Finding::Undecided => format!(
+                "cannot tell: {of} is {worst:.1e} {unit} apart, of which interpolation may make {error:.1e}: more than the \
+                 limit of {limit:.1e} {unit}"
+            ),
+            _ => format!("same: nearest to its limit is {of}, {worst:.1e} of {limit:.1e} {unit}"),
+        }
     }
 
     /// A difference other than of values, in words.
@@ -48,23 +57,29 @@ impl Report {
 impl ChannelReport {
     /// In what differences are told: rad between attitudes.
     #[must_use]
-    pub fn unit(&self) -> &'static str {
-        let row = self.channel.row();
-        if row.components.len() == 4 { "rad" } else { row.unit }
+    pub const fn unit(&self) -> &'static str {
+        unit(self.channel)
     }
 }
 
 /// What is out of tolerance, and since when.
 fn leaves(body: &str, channel: &ChannelReport) -> String {
     let name = channel.channel.row().name;
-    let from_s = channel.first_out_s.unwrap_or_default();
+    let from_s = plain(channel.first_out_s.unwrap_or_default());
     if let (Rule::Within(_), Some(limit)) = (channel.rule, channel.limit) {
         return format!("{name} of {body} leaves {limit:.1e} {} at {from_s} s", channel.unit());
     }
     let ulps = match channel.bits.most_ulps {
         u64::MAX => "no number on one side".to_owned(),
         1 => "1 ulp at most".to_owned(),
-        ulps => format!("{ulps} ulps at most"),
+        ulps @ 0..1_000_000 => format!("{ulps} ulps at most"),
+        _ => "far apart".to_owned(),
     };
     format!("{name} of {body} has other bits from {from_s} s on, {ulps}")
+}
+
+/// A time without the noise of its making: 0.3, not 0.30000000000000004.
+fn plain(time_s: f64) -> String {
+    let text = format!("{time_s:.9}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -1,0 +1,7 @@
+//! `polhode compare`.
+
+mod execute;
+mod json;
+mod text;
+
+pub use execute::execute;
