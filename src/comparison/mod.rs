@@ -12,8 +12,9 @@ mod compare;
 mod digest;
 
 pub use compare::{
-    Bits, BodyReport, ChannelReport, CompareError, Comparison, Coverage, Difference, FactDifference, Finding, Growth,
-    Law, Mark, Report, Rule, Side, SideReport, Tolerance, ToleranceError, Tolerances, Trace, Worst, channel_named,
+    Bits, BodyReport, ChannelReport, CompareError, Comparison, Coverage, Difference, EventDifference, FactDifference,
+    Finding, Growth, Law, Mark, Report, Rule, Shapes, Side, SideReport, Tolerance, ToleranceError, Tolerances, Trace,
+    Worst, channel_named,
 };
 #[cfg(any(feature = "mcap", feature = "rerun"))]
 pub use digest::{Digest, digest};

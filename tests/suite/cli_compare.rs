@@ -106,6 +106,39 @@ fn another_motion_exits_with_one_and_says_where_and_since_when() {
 }
 
 #[test]
+fn both_motions_are_drawn_over_each_other_with_the_same_bytes_each_time() {
+    let folder = recorded();
+    let other = ["compare", "scene.csv", "scene.toml", "--set-b", "body.0.angular_velocity_rad_s=[0, 0, 3.00001]"];
+    let drawn = |rrd: &str, svg: &str| {
+        let output = polhode(folder.path(), &[&other[..], &["--record", rrd, "--plot", svg]].concat());
+        assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+        [rrd, svg].map(|file| fs::read(folder.path().join(file)).expect("it is there"))
+    };
+    let one = drawn("one.rrd", "one.svg");
+    assert!(one == drawn("two.rrd", "two.svg"), "other bytes");
+    let found = json(&polhode(folder.path(), &["inspect", "one.rrd", "--json"]));
+    assert_eq!(found["is_whole"], true);
+    let entries = found["entries"].as_array().expect("entries");
+    let count = |name: &str| {
+        let of_name = entries.iter().filter(|entry| entry["name"] == name);
+        of_name.filter_map(|entry| entry["count"].as_u64()).max().unwrap_or(0)
+    };
+    // Both bodies at every time, and the differences that are not 0, as they are at the start.
+    assert_eq!((count("/world/a/body"), count("/world/b/body")), (11, 11), "{found}");
+    assert_eq!(count("/difference/body/attitude"), 10, "{found}");
+    for (arguments, message) in [
+        (&["--record", "one.rrd"][..], "error: one.rrd exists already: --force overwrites it"),
+        (&["--record", "three.mcap"], "error: three.mcap: two motions over each other are an .rrd"),
+        (&["--plot", "one.pdf"], "error: cannot draw one.pdf: a plot's name ends in .svg or .png"),
+    ] {
+        let output = polhode(folder.path(), &[&other[..], arguments].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(stderr(&output).starts_with(message), "{}", stderr(&output));
+    }
+    assert!(!folder.path().join("three.mcap.part").exists(), "a name that is refused leaves nothing");
+}
+
+#[test]
 fn what_cannot_be_compared_exits_with_two() {
     let folder = recorded();
     for (arguments, message) in [

@@ -6,7 +6,7 @@ use polhode::comparison::{
     CompareError, Comparison, Difference, Finding, Law, Report, Rule, Side, Tolerance, Tolerances,
 };
 use polhode::recording::Recorder;
-use polhode::scenario::{BodySpec, Method, Plan, Scenario};
+use polhode::scenario::{BodySpec, EventKind, Method, MomentSpec, Plan, Scenario, TorqueSpecs};
 use polhode::telemetry::Channel;
 use tempfile::tempdir;
 
@@ -343,6 +343,32 @@ fn bodies_of_other_names_are_paired_where_that_is_said() {
     assert!(report.is_same() && report.bodies.len() == 2, "{}", report.verdict());
     let refused = run(&names("thre")).expect_err("no such body").to_string();
     assert_eq!(refused, "stone has no body \"thre\": did you mean \"three\"?");
+}
+
+#[test]
+fn loads_and_flips_at_other_times_are_named() {
+    let pushed = |end: f64| {
+        let push = MomentSpec { moment_n_m: [0.1, 0.0, 0.0], start_s: Some(1.0), end_s: Some(end) };
+        let torque = TorqueSpecs { constant_body: vec![push], ..TorqueSpecs::default() };
+        plan(&Scenario { duration_s: Some(4.0), body: vec![BodySpec { torque, ..asymmetric() }], ..scene() })
+    };
+    let (a, b) = (pushed(2.0), pushed(2.5));
+    let report = Comparison::default().run(Side::Scene(&a), Side::Scene(&b)).expect("times in common");
+    let [event] = report.events.as_slice() else { panic!("{:?}", report.events) };
+    assert_eq!((event.kind, event.number, event.times_s), (EventKind::Load, 2, [Some(2.0), Some(2.5)]));
+    // Until the earlier end nothing differs; there the moment does, as a window ends before its end.
+    assert_eq!(report.channels().filter_map(|(_, channel)| channel.first_out_s).reduce(f64::min), Some(2.0));
+
+    let flipping = |offset: f64| {
+        let body = BodySpec { angular_velocity_rad_s: Some([0.0, 5.0, offset]), ..asymmetric() };
+        plan(&Scenario { duration_s: Some(20.0), body: vec![body], ..scene() })
+    };
+    let (a, b) = (flipping(1e-3), flipping(1e-4));
+    let report = Comparison::default().run(Side::Scene(&a), Side::Scene(&b)).expect("times in common");
+    let first = report.events.first().expect("flips");
+    let [Some(early), Some(late)] = first.times_s else { panic!("{first:?}") };
+    assert!(first.kind == EventKind::Flip && early < late, "{first:?}");
+    assert_eq!(Comparison::default().run(Side::Scene(&a), Side::Scene(&a)).expect("the same").events, []);
 }
 
 #[test]

@@ -3,6 +3,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 #[derive(Debug, Args)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(in crate::cli) struct CompareArguments {
     /// A recording (.mcap, .rrd, .csv), or a scene: its name or a TOML file.
     pub a: String,
@@ -42,6 +43,15 @@ pub(in crate::cli) struct CompareArguments {
     /// Any key of B, where it is a scene.
     #[arg(long, value_name = "KEY=VALUE")]
     pub set_b: Vec<String>,
+    /// Both motions over each other, with how far they are apart: an .rrd for the Rerun viewer.
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+    /// How far they are apart over time, drawn: .svg or .png.
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Overwrite what is there under these names.
+    #[arg(long)]
+    pub force: bool,
     /// Everything that was found, as JSON.
     #[arg(long)]
     pub json: bool,

@@ -1,16 +1,14 @@
 use super::CompareError;
-use super::cursor::{Cursor, Feed, Window};
-use super::follower::Follower;
-use super::growth::Growth;
+use super::facts::{events, fact_differences};
 use super::matching::{Matched, matched};
-use super::measure::Measure;
-use super::pairs::{Pairs, Scene, Stretch, Way};
-use super::report::{BodyReport, ChannelReport, Coverage, Difference, FactDifference, Report, SideReport};
-use super::resampler::Resampler;
+use super::pairing::{Cursor, Feed, Follower, Pairs, Resampler, Scene, Way, Window};
+use super::report::{Coverage, Difference, Report, SideReport};
 use super::side::Side;
-use super::tolerance::{Rule, Tolerances};
-use crate::recording::Heading;
-use crate::telemetry::{Channel, Samples};
+use super::tolerance::Tolerances;
+use super::work::Work;
+use crate::recording::Poses;
+use crate::scenario::{Plan, PlannedBody};
+use crate::telemetry::Channel;
 
 /// How two motions are to be compared.
 ///
@@ -43,12 +41,6 @@ pub struct Comparison {
     pub to_s: Option<f64>,
 }
 
-/// What is compared, and what was found so far.
-struct Work {
-    bodies: Vec<Matched>,
-    measures: Vec<Vec<Measure>>,
-}
-
 impl Comparison {
     /// Compares `a` with `b`, sample by sample at the times that they share: memory is flat at any length. A scene is
     /// computed at the other side's times and with its channels; of two scenes, the second at those of the first.
@@ -56,15 +48,26 @@ impl Comparison {
     /// # Errors
     /// If a side cannot be read or run, has no sample in the window, or the two have no times or channels in common.
     pub fn run(&self, a: Side, b: Side) -> Result<Report, CompareError> {
+        self.compare(a, b, None)
+    }
+
+    /// The same, and where each body that both have is on either side, in the report's order, as far as attitudes tell.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub fn run_with_poses(&self, a: Side, b: Side) -> Result<(Report, Vec<Poses>), CompareError> {
+        let mut poses = Vec::new();
+        let report = self.compare(a, b, Some(&mut poses))?;
+        Ok((report, poses))
+    }
+
+    fn compare(&self, a: Side, b: Side, poses: Option<&mut Vec<Poses>>) -> Result<Report, CompareError> {
         let headings = [a.heading(), b.heading()];
         let names = [a.name().to_owned(), b.name().to_owned()];
         let is_scene = [&a, &b].map(|side| matches!(side, Side::Scene(_)));
         let matching = matched(self, &headings, &names, is_scene)?;
-        let new = |matched: &Matched| {
-            matched.channels.iter().map(|channel| Measure::new(self.tolerances.of(*channel))).collect()
-        };
-        let measures = matching.bodies.iter().map(new).collect();
-        let mut work = Work { bodies: matching.bodies, measures };
+        let events = events(&headings, [&a, &b], &matching.bodies);
+        let mut work = Work::new(matching.bodies, &self.tolerances, poses);
         let mut pairs = Pairs::new(self.way(a, b, &work.bodies)?);
         while let Some(stretch) = pairs.next()? {
             work.include(&stretch);
@@ -86,6 +89,7 @@ impl Comparison {
             times_apart_s: pairs.tally.apart_s,
             bodies: work.finish(&self.tolerances, &pairs),
             differences,
+            events,
             facts: fact_differences(&headings, is_scene),
         })
     }
@@ -160,86 +164,10 @@ impl Comparison {
 }
 
 /// The bodies of a scene that are compared, in their order, with the channels compared.
-fn following<'a>(
-    plan: &'a crate::scenario::Plan,
-    bodies: &[Matched],
-    side: usize,
-) -> Vec<(&'a crate::scenario::PlannedBody, Vec<Channel>)> {
+fn following<'a>(plan: &'a Plan, bodies: &[Matched], side: usize) -> Vec<(&'a PlannedBody, Vec<Channel>)> {
     let followed = |(number, body)| {
         let matched = bodies.iter().find(|matched| matched.numbers[side] == number);
         (body, matched.map(|matched| matched.channels.clone()).unwrap_or_default())
     };
     plan.bodies.iter().enumerate().map(followed).collect()
-}
-
-impl Work {
-    fn include(&mut self, stretch: &Stretch) {
-        for (matched, measures) in self.bodies.iter().zip(&mut self.measures) {
-            for (channel, measure) in matched.channels.iter().zip(measures) {
-                let columns = |side: usize| {
-                    let (samples, range): &(&Samples, _) = &stretch.sides[side];
-                    let columns = samples.bodies[matched.numbers[side]].channel(*channel).unwrap_or_default();
-                    columns.iter().map(|column| &column[range.clone()]).collect::<Vec<_>>()
-                };
-                measure.include(stretch.times_s, &columns(0), &columns(1));
-            }
-        }
-    }
-
-    fn finish(self, tolerances: &Tolerances, pairs: &Pairs) -> Vec<BodyReport> {
-        let body = |(matched, measures): (Matched, Vec<Measure>)| {
-            let channels = matched.channels.iter().zip(measures).enumerate();
-            let channels = channels.map(|(number, (channel, measure))| {
-                let interpolation = pairs.interpolation(matched.numbers[1], number);
-                finished(*channel, tolerances.of(*channel), measure, interpolation)
-            });
-            BodyReport { names: matched.names, channels: channels.collect() }
-        };
-        self.bodies.into_iter().zip(self.measures).map(body).collect()
-    }
-}
-
-fn finished(channel: Channel, rule: Rule, measure: Measure, interpolation: Option<f64>) -> ChannelReport {
-    let limit = match rule {
-        Rule::Within(tolerance) => Some(tolerance.limit(measure.size)),
-        Rule::Exact | Rule::Shown => None,
-    };
-    let first_out_s = match rule {
-        Rule::Within(_) => limit.and_then(|limit| measure.exceeding.first(limit + interpolation.unwrap_or(0.0))),
-        Rule::Exact => measure.bits.first.map(|first| first.time_s),
-        Rule::Shown => None,
-    };
-    let ceiling = if channel == Channel::Attitude { std::f64::consts::PI } else { measure.size };
-    ChannelReport {
-        channel,
-        rule,
-        samples: measure.samples,
-        size: measure.size,
-        limit,
-        interpolation,
-        worst: measure.worst,
-        rms: measure.rms(),
-        first_out_s,
-        bits: measure.bits,
-        growth: Growth::of(&measure.trace, ceiling),
-        trace: measure.trace,
-    }
-}
-
-/// What the sides say otherwise; where one says nothing at all there is nothing to compare.
-fn fact_differences([a, b]: &[Heading; 2], is_scene: [bool; 2]) -> Vec<FactDifference> {
-    if a.provenance.is_empty() || b.provenance.is_empty() {
-        return Vec::new();
-    }
-    // Of a scene, nothing was measured here.
-    let is_told = |name: &&String| {
-        let is_measured = name.starts_with("check.") || name.contains(".certificate.");
-        !is_measured || is_scene == [false, false]
-    };
-    let names = a.provenance.iter().map(|(name, _)| name);
-    let more = b.provenance.iter().map(|(name, _)| name).filter(|name| a.fact(name).is_none());
-    let values = |name: &String| [a.fact(name), b.fact(name)].map(|value| value.map(str::to_owned));
-    let both = names.chain(more).filter(is_told);
-    let both = both.map(|name| FactDifference { name: name.clone(), values: values(name) });
-    both.filter(|fact| fact.values[0] != fact.values[1]).collect()
 }

@@ -1,6 +1,8 @@
+use std::borrow::Cow;
 use std::path::Path;
 
-use crate::recording::{Heading, Recording, RecordingError, Subject};
+use super::Shapes;
+use crate::recording::{Heading, Recording, RecordingError, Subject, carried_scene};
 use crate::scenario::Plan;
 
 /// One of the two motions that are compared.
@@ -33,6 +35,25 @@ impl Side<'_> {
             Self::Recording { name, .. } => name,
             Self::Scene(plan) => &plan.name,
         }
+    }
+
+    /// The scene, or that which a recording carries, if it does and it can be planned.
+    pub(super) fn plan(&self) -> Option<Cow<'_, Plan>> {
+        match self {
+            Self::Scene(plan) => Some(Cow::Borrowed(plan)),
+            Self::Recording { name, recording } => {
+                let heading = recording.heading();
+                let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+                let scene = heading.fact("scene").unwrap_or("scene");
+                carried_scene(heading.scene.as_deref()?, scene, folder).ok().map(Cow::Owned)
+            }
+        }
+    }
+
+    /// What its bodies look like: of a recording, if it carries a scene that can be planned.
+    #[must_use]
+    pub fn shapes(&self) -> Shapes {
+        self.plan().as_deref().map(Shapes::of).unwrap_or_default()
     }
 
     /// Bodies, channels, provenance; of a scene, what its recording would say.

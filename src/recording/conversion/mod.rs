@@ -12,3 +12,4 @@ mod shorten;
 
 pub use convert::Conversion;
 pub use recover::{Recovered, recover};
+pub(crate) use scene::plan as carried_scene;

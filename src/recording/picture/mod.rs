@@ -1,6 +1,6 @@
 //! What a run looks like, decided once for all picture formats: scales, colours, camera, rate.
 
-mod camera;
+pub(super) mod camera;
 pub(super) mod pace;
 mod poinsot;
 mod powers;

@@ -2,7 +2,7 @@ use std::path::Path;
 
 use crate::recording::foreign::{Mapping, Observation};
 use crate::recording::recorded::Opened;
-use crate::recording::{Contents, PartFile, RecordingError, Sink, Subject};
+use crate::recording::{Contents, Overlay, PartFile, RecordingError, Sink, Subject};
 use crate::telemetry::Samples;
 
 /// The format that this build leaves out: there is no value of this type.
@@ -52,6 +52,15 @@ pub(in crate::recording) fn open(path: &Path) -> Result<Opened, RecordingError> 
 /// Always [`RecordingError::FormatAbsent`].
 pub(in crate::recording) fn observe(path: &Path, _mapping: &Mapping) -> Result<Option<Observation>, RecordingError> {
     Err(absent(path))
+}
+
+/// Writes nothing.
+///
+/// # Errors
+/// Always [`RecordingError::FormatAbsent`].
+#[expect(clippy::needless_pass_by_value, reason = "the same interface as with the feature")]
+pub(in crate::recording) fn write_overlay(_overlay: &Overlay, file: PartFile) -> Result<PartFile, RecordingError> {
+    Err(absent(file.path()))
 }
 
 fn absent(path: &Path) -> RecordingError {

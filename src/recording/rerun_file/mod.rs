@@ -14,8 +14,8 @@ pub use disabled::{RerunFile, contents};
 pub use enabled::{RerunFile, contents};
 
 #[cfg(not(feature = "rerun"))]
-pub(super) use disabled::{observe, open};
+pub(super) use disabled::{observe, open, write_overlay};
 #[cfg(feature = "live")]
 pub(super) use enabled::RerunStream;
 #[cfg(feature = "rerun")]
-pub(super) use enabled::{observe, open};
+pub(super) use enabled::{observe, open, write_overlay};

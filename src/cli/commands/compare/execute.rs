@@ -1,4 +1,4 @@
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 
 use thiserror::Error;
@@ -9,7 +9,8 @@ use crate::cli::args::CompareArguments;
 use crate::cli::execute::{Outcome, scenario};
 use crate::cli::output::{print, print_json, remark};
 use crate::comparison::{CompareError, Comparison, Finding, Report, Side, ToleranceError, Tolerances, channel_named};
-use crate::recording::RecordingError;
+use crate::plot::{Format, PlotError, differences};
+use crate::recording::{Overlay, PartFile, RecordingError};
 use crate::scenario::{Plan, ScenarioError};
 
 /// Why nothing was compared.
@@ -23,6 +24,8 @@ enum Refusal {
     Scenario(#[from] ScenarioError),
     #[error(transparent)]
     Recording(#[from] RecordingError),
+    #[error(transparent)]
+    Plot(#[from] PlotError),
     #[error("--body {0:?}: it reads A=B, what the body is called in A and in B")]
     Body(String),
     #[error("--{0} {1}: a finite number of seconds")]
@@ -56,7 +59,30 @@ fn compare(arguments: &CompareArguments) -> Result<(Comparison, Report), Refusal
     let comparison = comparison(arguments)?;
     let plan_a = plan(&arguments.a, "a", &arguments.set_a)?;
     let plan_b = plan(&arguments.b, "b", &arguments.set_b)?;
-    let report = comparison.run(side(&arguments.a, plan_a.as_ref())?, side(&arguments.b, plan_b.as_ref())?)?;
+    let sides = (side(&arguments.a, plan_a.as_ref())?, side(&arguments.b, plan_b.as_ref())?);
+    // Names are claimed first: one that is taken must not cost the time of the comparison.
+    let plot = arguments
+        .plot
+        .as_ref()
+        .map(|path| Ok::<_, Refusal>((Format::of(path)?, PartFile::create(path, arguments.force)?)))
+        .transpose()?;
+    let report = match &arguments.record {
+        None => comparison.run(sides.0, sides.1)?,
+        Some(path) => {
+            let file = Overlay::claim(path, arguments.force)?;
+            let shapes = [sides.0.shapes(), sides.1.shapes()];
+            let (report, poses) = comparison.run_with_poses(sides.0, sides.1)?;
+            report.overlay(poses, &shapes).record(file)?;
+            report
+        }
+    };
+    if let Some((format, mut file)) = plot {
+        let path = file.path().to_path_buf();
+        let bytes = format.bytes(&differences(&report))?;
+        file.write_all(&bytes).map_err(|source| RecordingError::Io { attempt: "write", path, source })?;
+        file.sync()?;
+        file.publish()?;
+    }
     Ok((comparison, report))
 }
 

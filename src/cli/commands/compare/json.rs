@@ -1,8 +1,10 @@
 use serde_json::{Value, json};
 
 use crate::comparison::{
-    BodyReport, ChannelReport, Comparison, Coverage, Difference, Finding, Growth, Law, Mark, Report, Rule, SideReport,
+    BodyReport, ChannelReport, Comparison, Coverage, Difference, EventDifference, Finding, Growth, Law, Mark, Report,
+    Rule, SideReport, Tolerance,
 };
+use crate::scenario::EventKind;
 
 /// Everything that was found, as docs/comparison.md tells it.
 pub fn as_json(comparison: &Comparison, report: &Report) -> Value {
@@ -22,7 +24,23 @@ pub fn as_json(comparison: &Comparison, report: &Report) -> Value {
         "times_apart_s": report.times_apart_s,
         "bodies": report.bodies.iter().map(body).collect::<Vec<_>>(),
         "differences": report.differences.iter().map(difference).collect::<Vec<_>>(),
+        "events": report.events.iter().map(event).collect::<Vec<_>>(),
         "facts": report.facts.iter().map(fact).collect::<Vec<_>>(),
+    })
+}
+
+fn event(event: &EventDifference) -> Value {
+    let kind = match event.kind {
+        EventKind::Flip => "flip",
+        _ => "load",
+    };
+    json!({
+        "body": event.body,
+        "kind": kind,
+        "number": event.number,
+        "a_s": event.times_s[0],
+        "b_s": event.times_s[1],
+        "words": event.text,
     })
 }
 
@@ -73,8 +91,8 @@ fn channel(channel: &ChannelReport) -> Value {
         "unit": channel.unit(),
         "finding": finding(channel.finding()),
         "rule": rule,
-        "absolute": tolerance.map(|tolerance| tolerance.absolute()),
-        "relative": tolerance.map(|tolerance| tolerance.relative()),
+        "absolute": tolerance.map(Tolerance::absolute),
+        "relative": tolerance.map(Tolerance::relative),
         "limit": channel.limit,
         "interpolation": channel.interpolation,
         "samples": channel.samples,

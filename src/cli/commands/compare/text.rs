@@ -1,3 +1,5 @@
+use std::fmt::Write as _;
+
 use crate::cli::table::{Table, grouped};
 use crate::comparison::{BodyReport, ChannelReport, Comparison, Finding, Report, Rule, SideReport};
 
@@ -19,6 +21,7 @@ pub fn as_text(comparison: &Comparison, report: &Report) -> String {
         let lines = report.differences.iter().map(|difference| report.describe(difference));
         lines.for_each(|line| text.push_str(&folded(&format!("  {line}"), 4)));
     }
+    text.push_str(&events(report));
     text.push_str(&facts(report));
     text.push('\n');
     text.push_str(&folded(&report.verdict(), 2));
@@ -31,16 +34,17 @@ fn sides(report: &Report) -> String {
         table.row([letter.to_owned(), side.name.clone(), samples(side)]);
     }
     let common = report.common;
+    // Writing to a string cannot fail.
     let mut compared =
         format!("{} times, {} to {} s", grouped(common.samples), plain(common.from_s), plain(common.to_s));
     if report.times_apart_s > 0.0 {
-        compared.push_str(&format!(", up to {:.0e} s apart", report.times_apart_s));
+        let _ = write!(compared, ", up to {:.0e} s apart", report.times_apart_s);
     }
     if report.channels().any(|(_, channel)| channel.interpolation.is_some()) {
         compared.push_str(", B interpolated");
     }
     let mut text = table.render("  ");
-    text.push_str(&format!("  compared at {compared}\n"));
+    let _ = writeln!(text, "  compared at {compared}");
     text
 }
 
@@ -134,6 +138,27 @@ fn since(channel: &ChannelReport) -> Option<String> {
     Some(format!("{out} {} s on{bits}{growth}", plain(first)))
 }
 
+/// Events that are told at most.
+const EVENTS: usize = 6;
+
+fn events(report: &Report) -> String {
+    if report.events.is_empty() {
+        return String::new();
+    }
+    let mut table = Table::default();
+    table.row(["", "A at s", "B at s"]);
+    for event in report.events.iter().take(EVENTS) {
+        let time = |time_s: Option<f64>| time_s.map_or("–".to_owned(), plain);
+        let what: String = format!("{}: {}", event.body, event.text).chars().take(WIDTH - 34).collect();
+        table.row([what, time(event.times_s[0]), time(event.times_s[1])]);
+    }
+    let more = match report.events.len().saturating_sub(EVENTS) {
+        0 => String::new(),
+        more => format!("  and {more} more\n"),
+    };
+    format!("\nWhat their scenes say happens at other times:\n{}{more}", table.render("  "))
+}
+
 fn facts(report: &Report) -> String {
     let [a, b] = &report.sides;
     match (a.has_provenance, b.has_provenance) {
@@ -144,7 +169,7 @@ fn facts(report: &Report) -> String {
     }
     let mut text = "\nThey say otherwise where they come from:\n".to_owned();
     for fact in &report.facts {
-        text.push_str(&format!("  {}\n", fact.name));
+        let _ = writeln!(text, "  {}", fact.name);
         for (letter, value) in ["A", "B"].into_iter().zip(&fact.values) {
             let value = value.as_deref().map_or("–".to_owned(), |value| value.replace('\n', " "));
             text.push_str(&folded(&format!("    {letter} {value}"), 6));
@@ -153,9 +178,13 @@ fn facts(report: &Report) -> String {
     text
 }
 
-/// Two digits.
+/// Two digits, by its power of ten where it is small or large.
 fn short(value: f64) -> String {
-    if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
+    let rounded = format!("{value:.1e}");
+    match rounded.parse::<f64>() {
+        Ok(number) if number == 0.0 || (0.01..1000.0).contains(&number) => number.to_string(),
+        _ => rounded,
+    }
 }
 
 /// A time without the noise of its making: 0.3, not 0.30000000000000004.

@@ -23,6 +23,8 @@ mod markers;
 mod messages;
 mod moving;
 mod near_views;
+mod overlay;
+mod overlay_layout;
 mod palette;
 mod plain;
 mod plot_views;
@@ -43,5 +45,6 @@ pub use file::RerunFile;
 #[cfg(feature = "live")]
 pub(in crate::recording) use file::RerunStream;
 pub(in crate::recording) use foreign::observe;
+pub(in crate::recording) use overlay::write_overlay;
 pub use read::contents;
 pub(in crate::recording) use source::open;

@@ -91,7 +91,7 @@ pub(super) fn shares_plot(channels: &[Channel], bodies: usize) -> bool {
 
 /// A time axis from the first to the last sample, and room for the legend after it: what the viewer would show is a
 /// minute around the cursor.
-fn whole_run(sampling: Sampling) -> TimeAxis {
+pub(super) fn whole_run(sampling: Sampling) -> TimeAxis {
     let at = |time| TimeRangeBoundary::Absolute(TimeInt(nanoseconds(time)));
     let (start, end) = (sampling.from_s, sampling.to_s);
     let range = TimeRange { start: at(start), end: at(end + LEGEND * (end - start)) };

@@ -1,24 +1,24 @@
-use super::CompareError;
-use super::report::Coverage;
+use crate::comparison::compare::CompareError;
+use crate::comparison::compare::report::Coverage;
 use crate::recording::Recording;
 use crate::scenario::Run;
 use crate::telemetry::Samples;
 
 /// Where samples come from that have times of their own.
-pub(super) enum Feed<'a> {
+pub(in crate::comparison) enum Feed<'a> {
     Recording(Recording),
     Run(Run<'a>),
 }
 
 /// The part of the time that is compared, s, both ends in it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Window {
+pub(in crate::comparison) struct Window {
     pub from_s: f64,
     pub to_s: f64,
 }
 
 /// Goes through the samples of one side that are within the window, batch by batch.
-pub(super) struct Cursor<'a> {
+pub(in crate::comparison) struct Cursor<'a> {
     feed: Feed<'a>,
     window: Window,
     shift_s: f64,

@@ -1,22 +1,21 @@
 use std::ops::Range;
 
-use super::CompareError;
 use super::cursor::Cursor;
 use super::follower::Follower;
-use super::report::Coverage;
 use super::resampler::Resampler;
+use crate::comparison::compare::CompareError;
+use crate::comparison::compare::report::Coverage;
 use crate::scenario::{Plan, nanoseconds};
 use crate::telemetry::Samples;
 
 /// Samples of both sides at the same times, stretch by stretch.
-pub(super) struct Pairs<'a> {
+pub(in crate::comparison) struct Pairs<'a> {
     way: Way<'a>,
     pub tally: Tally,
 }
 
 /// How the second of a pair is found.
-#[expect(clippy::large_enum_variant, reason = "there is one")]
-pub(super) enum Way<'a> {
+pub(in crate::comparison) enum Way<'a> {
     /// Both sides have times of their own.
     Merged { a: Cursor<'a>, b: Cursor<'a> },
     /// One side is computed at the times of the other.
@@ -26,7 +25,7 @@ pub(super) enum Way<'a> {
 }
 
 /// The side that is computed.
-pub(super) struct Scene<'a> {
+pub(in crate::comparison) struct Scene<'a> {
     pub plan: &'a Plan,
     pub follower: Follower,
     /// Which side it is: 0 or 1.
@@ -37,7 +36,7 @@ pub(super) struct Scene<'a> {
 
 /// How many times there are, and where.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Tally {
+pub(in crate::comparison) struct Tally {
     pub common: Coverage,
     pub only: [Coverage; 2],
     /// The largest difference between times that count as one, s.
@@ -45,7 +44,7 @@ pub(super) struct Tally {
 }
 
 /// A stretch of samples at the same times.
-pub(super) struct Stretch<'p> {
+pub(in crate::comparison) struct Stretch<'p> {
     pub times_s: &'p [f64],
     pub sides: [(&'p Samples, Range<usize>); 2],
 }

@@ -3,7 +3,7 @@ use crate::scenario::PlannedBody;
 use crate::telemetry::{BodySamples, Channel, Derivation, Samples};
 
 /// Bodies of a scene at whatever times are asked for, ascending.
-pub(super) struct Follower {
+pub(in crate::comparison) struct Follower {
     bodies: Vec<FollowingBody>,
     samples: Samples,
 }

@@ -22,7 +22,7 @@ pub struct Mark {
 
 impl Bits {
     /// Looks at one sample of which something is known to differ.
-    pub(super) fn include<const N: usize>(&mut self, time_s: f64, a: [f64; N], b: [f64; N]) {
+    pub(in crate::comparison) fn include<const N: usize>(&mut self, time_s: f64, a: [f64; N], b: [f64; N]) {
         let mut is_same = true;
         for component in 0..N {
             let values = [a[component], b[component]];

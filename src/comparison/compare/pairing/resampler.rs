@@ -1,8 +1,8 @@
-use super::CompareError;
 use super::cursor::Cursor;
-use super::distance::distance;
 use super::interpolation::{Cubic, NODES, attitude, hermite};
-use super::matching::Matched;
+use crate::comparison::compare::CompareError;
+use crate::comparison::compare::matching::Matched;
+use crate::comparison::compare::measure::distance::distance;
 use crate::telemetry::{BodySamples, Channel, Samples};
 
 /// A recording at times that it does not have: cubics between its samples, by ω between attitudes and by the velocity
@@ -11,7 +11,7 @@ use crate::telemetry::{BodySamples, Channel, Samples};
 /// How far the cubics are off is measured on the recording itself: each sample is interpolated from those around it, without
 /// it. These are twice as far apart, so that a cubic's error, of order 4, is sixteen times as large; an eighth of it is told,
 /// as at the ends it is larger.
-pub(super) struct Resampler<'a> {
+pub(in crate::comparison) struct Resampler<'a> {
     cursor: Cursor<'a>,
     /// Samples around the time where it is.
     known: Samples,

@@ -47,7 +47,7 @@ pub enum ToleranceError {
 
 impl ToleranceError {
     /// That `name` is none of the names that `name_of` gives channels.
-    pub(super) fn unknown(name: &str, name_of: impl Fn(Channel) -> String) -> Self {
+    pub(in crate::comparison) fn unknown(name: &str, name_of: impl Fn(Channel) -> String) -> Self {
         let names = Channel::ALL.map(name_of);
         let hint = match nearest(name, names.iter().map(String::as_str)) {
             Some(near) => format!("did you mean {near:?}?"),

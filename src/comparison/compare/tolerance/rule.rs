@@ -1,4 +1,4 @@
-use super::ToleranceError;
+use super::error::ToleranceError;
 use crate::telemetry::Channel;
 
 /// How far apart two values of a channel may be and count as the same: `absolute + relative × size`, where the size is the

@@ -1,8 +1,9 @@
-use super::bits::Bits;
-use super::growth::Growth;
-use super::measure::Worst;
-use super::tolerance::Rule;
-use super::trace::Trace;
+use super::events::EventDifference;
+use crate::comparison::compare::measure::Bits;
+use crate::comparison::compare::measure::Growth;
+use crate::comparison::compare::measure::Trace;
+use crate::comparison::compare::measure::Worst;
+use crate::comparison::compare::tolerance::Rule;
 use crate::telemetry::Channel;
 
 /// What comparing two motions has found.
@@ -18,6 +19,9 @@ pub struct Report {
     pub bodies: Vec<BodyReport>,
     /// What makes them differ other than values.
     pub differences: Vec<Difference>,
+    /// What happens at other times, of sides whose scenes are known and are not the same: what the scenes say, where the
+    /// values say by how much the motion differs.
+    pub events: Vec<EventDifference>,
     /// In what they say differently where they come from: no difference of the motion.
     pub facts: Vec<FactDifference>,
 }
@@ -150,7 +154,7 @@ impl BodyReport {
 impl Coverage {
     /// Goes on by these times, s, ascending.
     #[expect(clippy::cast_precision_loss, reason = "a mean")]
-    pub(super) fn include(&mut self, times_s: &[f64]) {
+    pub(in crate::comparison) fn include(&mut self, times_s: &[f64]) {
         let (Some(first), Some(last)) = (times_s.first(), times_s.last()) else { return };
         if self.samples == 0 {
             self.from_s = *first;

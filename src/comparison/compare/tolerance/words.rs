@@ -1,4 +1,5 @@
-use super::{Rule, Tolerance, ToleranceError, Tolerances};
+use super::error::ToleranceError;
+use super::rule::{Rule, Tolerance, Tolerances};
 use crate::telemetry::Channel;
 
 impl Tolerances {
@@ -53,7 +54,7 @@ pub fn channel_named(name: &str) -> Result<Channel, ToleranceError> {
 
 impl Rule {
     /// By a word.
-    pub(super) fn named(word: &str) -> Option<Self> {
+    pub(in crate::comparison) fn named(word: &str) -> Option<Self> {
         match word {
             "exact" => Some(Self::Exact),
             "shown" => Some(Self::Shown),
@@ -76,6 +77,6 @@ impl Rule {
 }
 
 /// In what differences of a channel are told: rad between attitudes.
-pub(super) const fn unit(channel: Channel) -> &'static str {
+pub(in crate::comparison) const fn unit(channel: Channel) -> &'static str {
     if matches!(channel, Channel::Attitude) { "rad" } else { channel.row().unit }
 }

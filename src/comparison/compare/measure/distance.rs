@@ -4,13 +4,13 @@ use crate::propagation::attitude_angle;
 const QUATERNION: usize = 4;
 
 /// How far apart two values of one kind are, and how large they are.
-pub(super) struct Distance {
+pub(in crate::comparison) struct Distance {
     pub between: f64,
     pub size: f64,
 }
 
 /// Of numbers with all bits the same it is 0, whatever they are; where one is not finite, it is infinite.
-pub(super) fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> Distance {
+pub(in crate::comparison) fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> Distance {
     if N == QUATERNION {
         let quaternion = |value: [f64; N]| std::array::from_fn(|k| value[k]);
         return Distance { between: finite(attitude_angle(quaternion(a), quaternion(b))), size: 1.0 };
@@ -20,13 +20,13 @@ pub(super) fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> Distance {
 }
 
 /// The size of values of which one side is as good as the other.
-pub(super) fn size<const N: usize>(a: [f64; N]) -> f64 {
+pub(in crate::comparison) fn size<const N: usize>(a: [f64; N]) -> f64 {
     if N == QUATERNION { 1.0 } else { length(a) }
 }
 
 /// The component that contributes most to a distance; none of an attitude, whose angle is not in a component, nor of what
 /// has only one.
-pub(super) fn component<const N: usize>(a: [f64; N], b: [f64; N]) -> Option<usize> {
+pub(in crate::comparison) fn component<const N: usize>(a: [f64; N], b: [f64; N]) -> Option<usize> {
     if N == QUATERNION || N == 1 {
         return None;
     }

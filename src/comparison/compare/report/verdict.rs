@@ -1,6 +1,6 @@
-use super::report::{ChannelReport, Difference, Finding, Report};
-use super::tolerance::Rule;
-use super::tolerance_words::unit;
+use super::found::{ChannelReport, Difference, Finding, Report};
+use crate::comparison::compare::tolerance::Rule;
+use crate::comparison::compare::tolerance::unit;
 
 impl Report {
     /// Same or not, and why, in a line.

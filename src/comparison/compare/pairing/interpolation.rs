@@ -1,10 +1,10 @@
 use crate::telemetry::Channel;
 
 /// Samples from which a value between them is made: at most four.
-pub(super) const NODES: usize = 4;
+pub(in crate::comparison) const NODES: usize = 4;
 
 /// A cubic through the values at up to [`NODES`] times: what each counts at a time between them.
-pub(super) struct Cubic {
+pub(in crate::comparison) struct Cubic {
     weights: [f64; NODES],
     count: usize,
 }
@@ -34,7 +34,7 @@ impl Cubic {
 }
 
 /// Hermite's cubic between two values with their derivatives, at `time_s`.
-pub(super) fn hermite<const N: usize>(
+pub(in crate::comparison) fn hermite<const N: usize>(
     times_s: [f64; 2],
     values: [[f64; N]; 2],
     rates: [[f64; N]; 2],
@@ -49,7 +49,12 @@ pub(super) fn hermite<const N: usize>(
 }
 
 /// The same between attitudes, from ω in body axes: q̇ = q (0, ω) / 2.
-pub(super) fn attitude(times_s: [f64; 2], q: [[f64; 4]; 2], omega: [[f64; 3]; 2], time_s: f64) -> [f64; 4] {
+pub(in crate::comparison) fn attitude(
+    times_s: [f64; 2],
+    q: [[f64; 4]; 2],
+    omega: [[f64; 3]; 2],
+    time_s: f64,
+) -> [f64; 4] {
     let near = sign(&q[0], &q[1]);
     let q = [q[0], q[1].map(|part| near * part)];
     let rate = |[w, x, y, z]: [f64; 4], [p, q, r]: [f64; 3]| {

@@ -3,7 +3,8 @@ use std::path::Path;
 
 use toml_edit::{Document, Item, Value};
 
-use super::{Rule, Tolerance, ToleranceError, Tolerances};
+use super::error::ToleranceError;
+use super::rule::{Rule, Tolerance, Tolerances};
 use crate::scenario::{Excerpt, Refused};
 use crate::telemetry::Channel;
 

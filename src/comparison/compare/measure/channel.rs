@@ -1,7 +1,7 @@
 use super::bits::Bits;
 use super::distance::{component, distance, size};
-use super::tolerance::Rule;
 use super::trace::Trace;
+use crate::comparison::compare::tolerance::Rule;
 
 /// The largest difference of a channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,7 +16,7 @@ pub struct Worst {
 
 /// What is known of the differences of one channel so far.
 #[derive(Debug)]
-pub(super) struct Measure {
+pub(in crate::comparison) struct Measure {
     pub samples: u64,
     pub size: f64,
     pub worst: Option<Worst>,
@@ -105,7 +105,7 @@ fn has_same_bits(a: &[f64], b: &[f64]) -> bool {
 /// ones that are larger by a thousandth: the time found is exact if the size was settled by then, and else that of a
 /// difference at most a thousandth beyond the limit.
 #[derive(Debug)]
-pub(super) struct Exceeding {
+pub(in crate::comparison) struct Exceeding {
     rule: Rule,
     /// Time and difference, both ascending.
     rises: Vec<(f64, f64)>,
