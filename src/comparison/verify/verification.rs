@@ -25,7 +25,7 @@ pub struct Verification {
     pub candidates: Candidates,
     /// Whether attitudes turn as ω says; where there are both, near enough in time.
     pub kinematics: Option<Kinematics>,
-    /// What the motion itself says of the body.
+    /// What the motion itself says of the body, unless something is known to act on it.
     pub inertia: Option<InertiaFit>,
     /// Whether ω, L and E obey the torques; where a body is given.
     pub laws: Option<Laws>,

@@ -99,6 +99,10 @@ pub fn verify(
         let subject = Subject::new(body, &series, pushed.as_ref());
         let steps = Steps::of(&subject, &series, verification.clock.rounding_s, MOST_INTERVALS)?;
         verification.laws = Some(Laws::of(&subject, &series, &steps));
+        if !subject.is_free() {
+            // It is what turns like that if nothing acts.
+            verification.inertia = None;
+        }
         if !series.attitude.is_empty() {
             verification.distance = Some(Distance::of(&subject, &series, tolerance_rad)?);
             if subject.is_free() && is_resolved {
