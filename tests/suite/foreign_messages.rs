@@ -115,6 +115,22 @@ fn what_an_imu_does_not_measure_is_left_out() {
     assert_eq!(found.bodies[0].name, "/imu");
 }
 
+/// As with two estimates of one pose.
+#[test]
+fn a_frame_in_two_others_is_two_bodies() {
+    let in_odom = |stamp| {
+        let header = Cdr::new(false).word(0).word(stamp).text("odom");
+        header.text("base").doubles(&[1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0]).bytes
+    };
+    let mut sent = Vec::new();
+    for stamp in [10, 20] {
+        sent.push(("/tf", TRANSFORM, 1, transform(stamp, "base", 0.0, false)));
+        sent.push(("/tf", TRANSFORM, 1, in_odom(stamp)));
+    }
+    let names: Vec<_> = read(&sent).expect("told").bodies.into_iter().map(|body| body.name).collect();
+    assert_eq!(names, ["base in world", "base in odom"]);
+}
+
 #[test]
 fn repeated_transforms_are_one() {
     let sent = [10, 10, 20].map(|stamp| ("/tf", TRANSFORM, 1, transform(stamp, "base", f64::from(stamp), false)));

@@ -99,7 +99,8 @@ impl Gathering {
         self.leave_what_is_not_asked_for()?;
         let first = self.bodies.iter().filter_map(Gathered::first_ns).min().ok_or("no body in it moves")?;
         let start_ns = start_of(first);
-        let bodies = self.bodies.into_iter().map(|body| body.into_observed(start_ns));
+        let names = self.names();
+        let bodies = self.bodies.into_iter().zip(names).map(|(body, name)| body.into_observed(name, start_ns));
         let observation = Observation {
             bodies: bodies.collect::<Result<_, _>>()?,
             start_ns,
@@ -108,6 +109,19 @@ impl Gathering {
         };
         observation.claim_names()?;
         Ok(observation)
+    }
+
+    /// What the bodies are called: with the frame that they are told in, where they are told in several.
+    fn names(&self) -> Vec<String> {
+        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+        for body in &self.bodies {
+            *counts.entry(body.place.name()).or_default() += 1;
+        }
+        let name = |body: &Gathered| match (body.place.name(), &body.place.fixed) {
+            (name, Some(fixed)) if counts.get(&name).is_some_and(|count| *count > 1) => format!("{name} in {fixed}"),
+            (name, _) => name,
+        };
+        self.bodies.iter().map(name).collect()
     }
 
     /// A frame that is told once is fixed to another, as `/tf_static` says it.
@@ -148,8 +162,8 @@ impl Gathered {
         stamps.chain(self.attitude.stamps().iter().min()).min().copied()
     }
 
-    fn into_observed(mut self, start_ns: i64) -> Result<Observed, String> {
-        let (name, resolution) = (self.place.name(), self.resolution);
+    fn into_observed(mut self, name: String, start_ns: i64) -> Result<Observed, String> {
+        let resolution = self.resolution;
         if self.is_of_either_sign {
             attitudes::continue_signs(self.attitude.columns_mut());
         }
