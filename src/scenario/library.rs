@@ -39,6 +39,6 @@ pub fn text(name: &str) -> Option<&'static str> {
 /// What to say to somebody who asked for a scene that there is not.
 #[must_use]
 pub(super) fn hint(name: &str) -> String {
-    super::near_miss::nearest(name, names())
+    super::nearest(name, names())
         .map_or_else(|| ": `polhode list` names them all".to_owned(), |near| format!("; did you mean {near:?}?"))
 }

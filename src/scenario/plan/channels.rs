@@ -1,5 +1,5 @@
 use crate::dynamics::{Problem, Torque};
-use crate::scenario::near_miss::nearest;
+use crate::scenario::nearest;
 use crate::scenario::{Key, Refusal, Scenario};
 use crate::telemetry::{Channel, FigureAxis};
 
