@@ -116,17 +116,14 @@ fn a_quaternion_that_nobody_normalises() {
     assert_eq!(first(&found).name(), "not_normalised");
 }
 
+/// Forty thousand roundings lead 3e-4 rad astray, less than the tolerance, and look like no method's error.
 #[test]
-fn arithmetic_of_32_bits() {
-    // Steps so small that rounding outweighs their order.
+fn arithmetic_of_32_bits_is_not_taken_for_damping_or_steps() {
     let body = book(TorqueSpecs::default());
-    let observed = super::engine::rounded_on_the_way(&body, 40_000, 5e-4);
-    let found = verified(&observed, Some(&body));
-    if found.verdict == Verdict::Wrong {
-        assert_eq!(causes(&found), ["single_precision"]);
-    } else {
-        assert!(found.causes.is_empty());
-    }
+    let found = verified(&super::engine::rounded_on_the_way(&body, 40_000, 5e-4), Some(&body));
+    assert_eq!(found.verdict, Verdict::Clean, "{:?}", found.reasons);
+    assert!(found.causes.is_empty(), "{:?}", found.causes);
+    assert!(found.distance.expect("of attitudes").worst_rad > 1e-4, "rounding adds up");
 }
 
 fn constant_in_body(moment: [f64; 3]) -> PlannedBody {
