@@ -30,6 +30,7 @@ pub fn plain(
         sampling: survey.sampling(),
         heading,
         drawing: None,
+        is_compact: false,
     })
 }
 

@@ -19,6 +19,9 @@ pub struct Subject<'a> {
     pub identity: String,
     /// What can be drawn: only where the scene is known. Without it a recording holds columns and words.
     pub drawing: Option<(&'a Plan, &'a Picture)>,
+    /// Whether it is to be small rather than fast to write and good to look at: an `.rrd` without layout and colours, its
+    /// chunks compressed.
+    pub is_compact: bool,
 }
 
 impl<'a> Subject<'a> {
@@ -35,7 +38,15 @@ impl<'a> Subject<'a> {
             sampling: Sampling::of(&plan.grid),
             identity: plan.identity.clone(),
             drawing: None,
+            is_compact: false,
         }
+    }
+
+    /// Of the run of `plan`, as small as can be: columns and words, and nothing to look at.
+    #[must_use]
+    pub fn compact(plan: &Plan) -> Self {
+        // Recordings of equal identity are one to a viewer.
+        Self { is_compact: true, identity: format!("{}\ncompact", plan.identity), ..Self::of(plan) }
     }
 
     /// Of the run of `plan`, drawn as `picture` says.

@@ -46,16 +46,13 @@ impl<W: Write> RerunStream<W> {
     /// # Errors
     /// If it cannot be written.
     pub fn begin(subject: &Subject, writer: W, path: PathBuf) -> Result<Self, RecordingError> {
-        let mut stream = Stream::begin(writer, path)?;
+        let begin = if subject.is_compact { Stream::begin_compressed } else { Stream::begin };
+        let mut stream = begin(writer, path)?;
         let recording = identity::recording(subject).map_err(|reason| stream.refused(reason))?;
-        let blueprint = identity::blueprint(subject).map_err(|reason| stream.refused(reason))?;
         let store = stream.open(recording)?;
-        let blueprint = stream.open(blueprint)?;
-        match subject.drawing {
-            Some((plan, picture)) => layout::write(&mut stream, blueprint, plan, picture)?,
-            None => plain::write_layout(&mut stream, blueprint, subject)?,
+        if !subject.is_compact {
+            write_layout(&mut stream, subject)?;
         }
-        stream.activate(blueprint)?;
 
         words::write(&mut stream, store, subject)?;
         if let Some((plan, picture)) = subject.drawing {
@@ -66,7 +63,7 @@ impl<W: Write> RerunStream<W> {
         } else {
             plain::write(&mut stream, store, subject)?;
         }
-        let plots = Plots::begin(&mut stream, store, &subject.heading, subject.sampling)?;
+        let plots = Plots::begin(&mut stream, store, subject)?;
         let moving = match subject.drawing {
             Some((plan, picture)) => {
                 let scaled = Scaled::begin(&mut stream, store, plan, picture)?;
@@ -141,6 +138,17 @@ impl Drop for RerunFile {
             let _ = recording.complete();
         }
     }
+}
+
+/// Logs what is to be seen where, in a store of its own.
+fn write_layout<W: Write>(stream: &mut Stream<W>, subject: &Subject) -> Result<(), RecordingError> {
+    let blueprint = identity::blueprint(subject).map_err(|reason| stream.refused(reason))?;
+    let blueprint = stream.open(blueprint)?;
+    match subject.drawing {
+        Some((plan, picture)) => layout::write(stream, blueprint, plan, picture)?,
+        None => plain::write_layout(stream, blueprint, subject)?,
+    }
+    stream.activate(blueprint)
 }
 
 /// Logs what happens to the bodies, in one chunk.

@@ -62,6 +62,7 @@ mod tests {
             sampling: Sampling { samples, from_s: 0.0, to_s: 1.0, interval_s: None },
             identity: String::new(),
             drawing: None,
+            is_compact: false,
         };
         let body = RecordedBody { channels: Channel::ALL.to_vec(), ..RecordedBody::default() };
         subject.heading.bodies.resize(bodies, body);

@@ -35,7 +35,9 @@ pub(super) fn write_layout<W: Write>(
 /// # Errors
 /// If it cannot be written.
 pub(super) fn write<W: Write>(stream: &mut Stream<W>, store: Store, subject: &Subject) -> Result<(), RecordingError> {
-    stream.once(store, "/about", &[], &document(subject))?;
+    if !subject.is_compact {
+        stream.once(store, "/about", &[], &document(subject))?;
+    }
     stream.once(store, "/__properties", &[], &RecordingInfo::new().with_name(subject.title.as_str()))
 }
 

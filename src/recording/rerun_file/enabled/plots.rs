@@ -8,7 +8,7 @@ use super::palette;
 use super::plot_views::shares_plot;
 use super::stream::{Rows, Store, Stream};
 use super::words;
-use crate::recording::{Heading, RecordedBody, RecordingError, Sampling};
+use crate::recording::{RecordedBody, RecordingError, Sampling, Subject};
 use crate::scenario::nanoseconds;
 use crate::telemetry::{Channel, Samples};
 
@@ -46,21 +46,25 @@ impl Plots {
     pub(super) fn begin<W: Write>(
         stream: &mut Stream<W>,
         store: Store,
-        heading: &Heading,
-        sampling: Sampling,
+        subject: &Subject,
     ) -> Result<Self, RecordingError> {
-        let mut entities = Vec::with_capacity(heading.bodies.len());
-        for (number, body) in heading.bodies.iter().enumerate() {
-            let method = TextDocument::new(words::method(&heading.provenance, &body.name));
-            stream.once(store, &words::body(&body.name), &[], &method)?;
-            let of_body: Vec<_> =
-                body.channels.iter().map(|channel| (*channel, entity(&body.name, *channel))).collect();
-            for (channel, entity) in &of_body {
-                stream.once(store, entity, &[], &curves(*channel, number, &heading.bodies))?;
+        let (heading, sampling) = (&subject.heading, subject.sampling);
+        let of_body = |body: &RecordedBody| -> Vec<_> {
+            body.channels.iter().map(|channel| (*channel, entity(&body.name, *channel))).collect()
+        };
+        let entities: Vec<_> = heading.bodies.iter().map(of_body).collect();
+        if subject.is_compact {
+            stream.once(store, words::COLUMNS, &[], &TextDocument::new(words::columns(&heading.bodies)))?;
+        } else {
+            for (number, (body, entities)) in heading.bodies.iter().zip(&entities).enumerate() {
+                let method = TextDocument::new(words::method(&heading.provenance, &body.name));
+                stream.once(store, &words::body(&body.name), &[], &method)?;
+                for (channel, entity) in entities {
+                    stream.once(store, entity, &[], &curves(*channel, number, &heading.bodies))?;
+                }
             }
-            entities.push(of_body);
+            write_zero(stream, store, sampling)?;
         }
-        write_zero(stream, store, sampling)?;
         if let Some(interval) = sampling.interval_s {
             stream.once(store, INTERVAL, &[], &Scalars::new([interval]))?;
         }

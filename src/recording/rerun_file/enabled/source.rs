@@ -109,6 +109,11 @@ impl Intake {
             self.heading.scene = text(chunk)?;
         } else if entity == words::PROVENANCE {
             self.heading.provenance = text(chunk)?.map(|lines| words::facts(&lines)).unwrap_or_default();
+        } else if entity == words::COLUMNS {
+            for (body, channels) in words::bodies(&text(chunk)?.unwrap_or_default())? {
+                self.announce_body(body)?;
+                channels.into_iter().try_for_each(|channel| self.announce(body, channel))?;
+            }
         } else if let Some(body) = words::body_of(entity) {
             self.announce_body(body)?;
         } else if let Some((body, channel)) = channel_of(entity) {

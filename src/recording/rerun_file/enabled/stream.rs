@@ -30,6 +30,7 @@ pub(super) struct Stream<W> {
     row_ids: Vec<RowId>,
     stores: Vec<(StoreId, RrdManifestBuilder)>,
     next_id: u64,
+    compression: Compression,
 }
 
 /// One of a stream's stores.
@@ -44,14 +45,24 @@ pub(super) struct Rows<'a> {
 }
 
 impl<W: Write> Stream<W> {
-    /// Uncompressed: mantissas do not compress, and LZ4 costs more time than the rest saves.
-    const COMPRESSION: Compression = Compression::Off;
-
-    /// Begins a stream; `path` is what messages name.
+    /// Begins a stream; `path` is what messages name. Uncompressed: mantissas do not compress, and LZ4 costs more time than
+    /// the rest saves.
     ///
     /// # Errors
     /// If the writer refuses.
     pub(super) fn begin(writer: W, path: PathBuf) -> Result<Self, RecordingError> {
+        Self::begin_as(writer, path, Compression::Off)
+    }
+
+    /// The same of few samples, whose chunks are mostly words.
+    ///
+    /// # Errors
+    /// If the writer refuses.
+    pub(super) fn begin_compressed(writer: W, path: PathBuf) -> Result<Self, RecordingError> {
+        Self::begin_as(writer, path, Compression::LZ4)
+    }
+
+    fn begin_as(writer: W, path: PathBuf, compression: Compression) -> Result<Self, RecordingError> {
         let mut stream = Self {
             writer,
             path,
@@ -61,11 +72,12 @@ impl<W: Write> Stream<W> {
             row_ids: Vec::new(),
             stores: Vec::new(),
             next_id: 1,
+            compression,
         };
         let header = StreamHeader {
             fourcc: RRD_FOURCC,
             version: re_build_info::CrateVersion::LOCAL.to_bytes(),
-            options: EncodingOptions { compression: Self::COMPRESSION, serializer: Serializer::Protobuf },
+            options: EncodingOptions { compression, serializer: Serializer::Protobuf },
         };
         header.to_rrd_bytes(&mut stream.buffer).map_err(|error| stream.refused(error))?;
         stream.send()?;
@@ -150,6 +162,9 @@ impl<W: Write> Stream<W> {
     /// What the library's own conversion makes of a chunk, without parsing the chunk once more and in memory that is used
     /// again: fresh memory costs as much as filling it.
     fn serialized(&mut self, store: Store, chunk: &Chunk, batch: &RecordBatch) -> Result<ArrowMsg, RecordingError> {
+        if self.compression != Compression::Off {
+            return self.compressed(store, chunk, batch);
+        }
         self.payload.clear();
         StreamWriter::try_new(&mut self.payload, batch.schema_ref())
             .and_then(|mut writer| {
@@ -160,12 +175,19 @@ impl<W: Write> Stream<W> {
         Ok(ArrowMsg {
             store_id: Some(self.stores[store.0].0.clone().into()),
             chunk_id: Some(chunk.id().as_tuid().into()),
-            compression: re_protos::common::v1alpha1::Compression::from(Self::COMPRESSION) as i32,
+            compression: re_protos::common::v1alpha1::Compression::None as i32,
             uncompressed_size: self.payload.len() as u64,
             encoding: Encoding::ArrowIpc as i32,
             payload: std::mem::take(&mut self.payload).into(),
             is_static: Some(chunk.is_static()),
         })
+    }
+
+    /// The library's own conversion: what is compressed is small.
+    fn compressed(&self, store: Store, chunk: &Chunk, batch: &RecordBatch) -> Result<ArrowMsg, RecordingError> {
+        let id = self.stores[store.0].0.clone();
+        let message = re_log_types::ArrowMsg { chunk_id: chunk.id().as_tuid(), batch: batch.clone(), on_release: None };
+        message.to_transport((id, self.compression)).map_err(|error| self.refused(error))
     }
 
     /// Ends the stream with its footer and gives the writer back, unflushed.
@@ -203,7 +225,7 @@ impl<W: Write> Stream<W> {
 
     fn message(&mut self, message: &LogMsg) -> Result<(), RecordingError> {
         message
-            .to_transport(Self::COMPRESSION)
+            .to_transport(self.compression)
             .and_then(|transport| transport.to_rrd_bytes(&mut self.buffer))
             .map_err(|error| self.refused(error))?;
         self.send()

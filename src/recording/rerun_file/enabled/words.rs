@@ -3,13 +3,17 @@ use std::io::Write;
 use re_sdk_types::archetypes::TextDocument;
 
 use super::stream::{Store, Stream};
-use crate::recording::{RecordingError, Subject};
+use crate::recording::{RecordedBody, RecordingError, Subject};
+use crate::telemetry::Channel;
 
 /// Entity of the scene's text, where it is known.
 pub(super) const SCENE: &str = "/scene";
 
 /// Entity of what made the recording, from what, how: a fact a line, for programs.
 pub(super) const PROVENANCE: &str = "/provenance";
+
+/// Entity of a compact recording's bodies and their channels: `name: channel, channel` on a line each.
+pub(super) const COLUMNS: &str = "/columns";
 
 /// Logs where the recording comes from.
 ///
@@ -30,6 +34,27 @@ pub(super) fn body(name: &str) -> String {
 /// The body that `entity` tells of.
 pub(super) fn body_of(entity: &str) -> Option<&str> {
     entity.strip_prefix("/body/").filter(|name| !name.contains('/'))
+}
+
+/// Which bodies there are, and which channels of them, in their order.
+pub(super) fn columns(bodies: &[RecordedBody]) -> String {
+    let channels = |body: &RecordedBody| body.channels.iter().map(|channel| channel.row().name).collect::<Vec<_>>();
+    let line = |body: &RecordedBody| format!("{}: {}\n", body.name, channels(body).join(", "));
+    bodies.iter().map(line).collect()
+}
+
+/// The bodies with their channels that such lines tell.
+///
+/// # Errors
+/// If they are no such lines.
+pub(super) fn bodies(columns: &str) -> Result<Vec<(&str, Vec<Channel>)>, String> {
+    let named = |name: &str| Channel::from_name(name).ok_or_else(|| format!("{COLUMNS} names {name:?}, no channel"));
+    let body = |line| {
+        let (name, channels) = str::split_once(line, ": ").ok_or_else(|| format!("{COLUMNS} has the line {line:?}"))?;
+        let channels = channels.split(", ").filter(|name| !name.is_empty()).map(named).collect::<Result<_, _>>()?;
+        Ok((name, channels))
+    };
+    columns.lines().map(body).collect()
 }
 
 /// By which method a body was propagated, and why, as far as `provenance` tells.
@@ -78,6 +103,22 @@ fn unescaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn columns_come_back_and_nothing_else_is_taken_for_them() {
+        let body = |name: &str, channels: &[Channel]| RecordedBody {
+            name: name.into(),
+            channels: channels.to_vec(),
+            ..RecordedBody::default()
+        };
+        let told = [body("a-b_1", &Channel::ALL), body("none", &[])];
+        let lines = columns(&told);
+        let found = bodies(&lines).expect("such lines");
+        assert_eq!(found, [("a-b_1", Channel::ALL.to_vec()), ("none", Vec::new())]);
+        for wrong in ["a", "a:attitude", "a: attitud", "a: attitude; tilt", "\n"] {
+            assert!(bodies(wrong).is_err(), "{wrong:?}");
+        }
+    }
 
     #[test]
     fn facts_come_back_whatever_is_in_them() {
