@@ -46,6 +46,7 @@
 //! * [`scenario`]: what was asked, what will be done, what is happening, and what it must show.
 //! * [`recording`]: columns to `.mcap`, `.rrd` and `.csv`, whole or not at all.
 //! * [`comparison`]: are two recordings the same motion? is one of them true?
+//! * `golden` (feature): is another program's simulation the motion of a recording, or the exact one?
 //! * `plot` (feature): plots and pages, without a viewer.
 //! * [`study`]: how good a run is, and what each method costs for how much accuracy.
 //!
@@ -73,6 +74,9 @@ pub mod scenario;
 pub mod recording;
 
 pub mod comparison;
+
+#[cfg(feature = "golden")]
+pub mod golden;
 
 #[cfg(feature = "plot")]
 pub mod plot;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the ground up.
-const FLOORS: [&str; 11] = [
+const FLOORS: [&str; 12] = [
     "numerics",
     "body",
     "dynamics",
@@ -13,6 +13,7 @@ const FLOORS: [&str; 11] = [
     "scenario",
     "recording",
     "comparison",
+    "golden",
     "plot",
     "study",
     "cli",

@@ -66,7 +66,8 @@ impl Growth {
     const FOLDS: f64 = 3.0;
 
     /// Of differences that cannot get larger than about `ceiling`; `None` where there is none, or too few are known.
-    pub(in crate::comparison) fn of(trace: &Trace, ceiling: f64) -> Option<Self> {
+    #[must_use]
+    pub fn of(trace: &Trace, ceiling: f64) -> Option<Self> {
         let largest = so_far(trace);
         let free = largest.iter().take_while(|(_, difference)| *difference <= 0.1 * ceiling).count();
         let is_saturated = free < largest.len();

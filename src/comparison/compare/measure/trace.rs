@@ -24,7 +24,7 @@ impl Trace {
     }
 
     /// Goes on by one sample.
-    pub(in crate::comparison) fn push(&mut self, time_s: f64, difference: f64) {
+    pub fn push(&mut self, time_s: f64, difference: f64) {
         if self.last == self.stride {
             self.begin(time_s, difference);
             return;
