@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use super::Arguments;
 use super::args::Command;
-use super::commands::{bench, compare, convert, digest, inspect, list, plan, plot, recover, report, run, verify, view};
+use super::commands::{bench, compare, convert, digest, golden, inspect, list, plan, plot, recover, report, run, verify, view};
 use super::output::remark;
 use crate::scenario::{Scenario, ScenarioError};
 
@@ -35,6 +35,7 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::Recover(arguments) => recover::execute(&arguments),
         Command::Plot(arguments) => Ok(plot::execute(&arguments)),
         Command::Report(arguments) => Ok(report::execute(&arguments)),
+        Command::Golden(arguments) => golden::execute(&arguments),
         Command::View(arguments) => Ok(view::execute(&arguments)),
     };
     let outcome = outcome.unwrap_or_else(|error: io::Error| {

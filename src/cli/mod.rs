@@ -5,6 +5,7 @@
 mod args;
 mod commands;
 mod execute;
+mod folder;
 mod layout;
 mod output;
 mod progress;

@@ -31,6 +31,10 @@ mod foreign_messages;
 mod foreign_tables;
 mod free_laws;
 mod full_disks;
+#[cfg(feature = "cli")]
+mod golden;
+#[cfg(feature = "golden")]
+mod golden_hold;
 mod hostile;
 #[cfg(all(feature = "cli", unix))]
 mod killed_runs;

@@ -2,6 +2,7 @@
 
 mod bench;
 mod compare;
+mod golden;
 mod overrides;
 mod pictures;
 mod recordings;
@@ -13,6 +14,7 @@ use clap::{Parser, Subcommand};
 
 pub(super) use bench::BenchArguments;
 pub(super) use compare::{CompareArguments, DigestArguments};
+pub(super) use golden::GoldenArguments;
 pub(super) use overrides::Overrides;
 pub(super) use pictures::{PlotArguments, ReportArguments};
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
@@ -43,6 +45,8 @@ Examples:
   polhode plot recordings/dzhanibekov.mcap -o dzhanibekov.svg      its motion as plots, without a viewer
   polhode plot lagrange_top --channels tilt,axis_path -o top.png   of a scene, only these
   polhode report dzhanibekov --certify -o dzhanibekov.html         all there is to know of it on one page
+  polhode golden                                  what scenes give now, against recordings/golden
+  polhode golden --bless lagrange_top             writes that golden anew, and says by how much it changed
   polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
 
 Exit codes: 0 done, 1 a check failed, a certified tolerance was missed, recordings differ or a rotation is wrong, 2 could not
@@ -93,6 +97,11 @@ pub(super) enum Command {
     Plot(PlotArguments),
     /// Make one page (.html) of a recording or a scene: checks, certificate, plots, pictures, provenance; readable offline.
     Report(ReportArguments),
+    /// Hold committed recordings of scenes, the goldens, to what the scenes give now; `--bless` writes them anew.
+    ///
+    /// A golden is a scene's run at a few of its sample times, columns and words only. Exits with 1 where one differs, is
+    /// missing, or has no scene.
+    Golden(GoldenArguments),
     /// Open the Rerun viewer found on PATH on a recording or a scene.
     ///
     /// An .mcap, a .csv and a scene are first written as an .rrd to the system's folder for temporary files, where it stays

@@ -4,6 +4,7 @@ pub mod bench;
 pub mod compare;
 pub mod convert;
 pub mod digest;
+pub mod golden;
 pub mod inspect;
 pub mod list;
 pub mod plan;

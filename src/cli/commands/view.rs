@@ -8,6 +8,7 @@ use thiserror::Error;
 use super::convert::{has_extension, say_why_there_is_no_picture};
 use crate::cli::args::ViewArguments;
 use crate::cli::execute::{Outcome, scenario};
+use crate::cli::folder::{FolderError, TemporaryFolder};
 use crate::cli::output::remark;
 use crate::propagation::PropagationError;
 use crate::recording::{Conversion, Recorder, RecordingError};
@@ -30,8 +31,8 @@ enum ViewError {
          `cargo install rerun-cli@{VERSION} --locked`"
     )]
     NoViewer,
-    #[error("cannot make the folder {path}: {source}", path = path.display())]
-    Folder { path: PathBuf, source: io::Error },
+    #[error(transparent)]
+    Folder(#[from] FolderError),
     #[error("cannot start {path}: {source}", path = path.display())]
     Start { path: PathBuf, source: io::Error },
     #[error("{path} ended with {status}", path = path.display())]
@@ -63,11 +64,11 @@ fn view(what: &str) -> Result<(), ViewError> {
         fs::metadata(path).map_err(absent)?;
         return show(&viewer, path);
     }
-    let folder = Folder::create()?;
+    let folder = TemporaryFolder::create("view")?;
     let recording = if has_extension(path, "mcap") || has_extension(path, "csv") {
-        converted(path, &folder.0)?
+        converted(path, folder.path())?
     } else {
-        recorded(what, &folder.0)?
+        recorded(what, folder.path())?
     };
     show(&viewer, &recording)
 }
@@ -117,22 +118,4 @@ fn recorded(name: &str, folder: &Path) -> Result<PathBuf, ViewError> {
     }
     recorder.finish()?;
     Ok(target)
-}
-
-/// A folder of this process' own for what is only to be looked at; it goes when the viewer is closed.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn create() -> Result<Self, ViewError> {
-        let path = std::env::temp_dir().join(format!("polhode-view-{}", std::process::id()));
-        fs::create_dir(&path).map_err(|source| ViewError::Folder { path: path.clone(), source })?;
-        Ok(Self(path))
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What cannot be removed is left to the system, whose folder it is in.
-        let _ = fs::remove_dir_all(&self.0);
-    }
 }
