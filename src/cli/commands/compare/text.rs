@@ -1,7 +1,8 @@
 use std::fmt::Write as _;
 
-use crate::cli::table::{Table, grouped};
+use crate::cli::table::Table;
 use crate::comparison::{BodyReport, ChannelReport, Comparison, Finding, Report, Rule, SideReport};
+use crate::plot::grouped;
 
 /// Columns of a line that is not a table's.
 const WIDTH: usize = 80;

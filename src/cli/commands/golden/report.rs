@@ -5,8 +5,9 @@ use serde_json::{Value, json};
 use super::examine::Examination;
 use super::finding::{Finding, Standing};
 use crate::cli::args::GoldenArguments;
-use crate::cli::table::{Table, grouped};
+use crate::cli::table::Table;
 use crate::comparison::{BodyReport, ChannelReport, Difference, Report};
+use crate::plot::grouped;
 
 /// A line for each golden, what changed in those that did, and what is to be done.
 pub fn as_text(examination: &Examination, arguments: &GoldenArguments) -> String {

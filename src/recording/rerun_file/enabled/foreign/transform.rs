@@ -47,7 +47,9 @@ impl Transforms {
                 translations: rows(chunk, timeline, &Transform3D::descriptor_translation(), translation)?,
                 quaternions: rows(chunk, timeline, &Transform3D::descriptor_quaternion(), quaternion)?,
                 turns: rows(chunk, timeline, &Transform3D::descriptor_rotation_axis_angle(), axis_angle)?,
-                inverted: rows(chunk, timeline, &Transform3D::descriptor_relation(), |relation| is_inverted(*relation))?,
+                inverted: rows(chunk, timeline, &Transform3D::descriptor_relation(), |relation| {
+                    is_inverted(*relation)
+                })?,
                 children: rows(chunk, timeline, &Transform3D::descriptor_child_frame(), frame)?,
                 parents: rows(chunk, timeline, &Transform3D::descriptor_parent_frame(), frame)?,
             };
