@@ -6,6 +6,7 @@ mod args;
 mod commands;
 mod execute;
 mod folder;
+mod growth;
 mod layout;
 mod output;
 mod progress;

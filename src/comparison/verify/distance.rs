@@ -1,8 +1,11 @@
+use std::f64::consts::PI;
+
 use nalgebra::Vector3;
 
 use super::rotation::log;
 use super::series::Series;
 use super::subject::{Subject, state};
+use crate::comparison::{Growth, Trace};
 use crate::numerics::so3;
 use crate::scenario::ScenarioError;
 
@@ -21,21 +24,6 @@ pub struct Distance {
     pub leaves_at_s: Option<f64>,
     /// How it grows.
     pub growth: Option<Growth>,
-}
-
-/// The law by which an error grows, as far as it is small.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Growth {
-    /// As tᵖ.
-    Power {
-        /// p.
-        exponent: f64,
-    },
-    /// As exp(t/τ).
-    Exponential {
-        /// τ, s.
-        time_s: f64,
-    },
 }
 
 /// A first state in f64 is looked at no closer than this, rad and relative.
@@ -80,33 +68,12 @@ impl Distance {
     }
 }
 
-/// The law that fits better where the angle is above what the first state leaves open and still small.
+/// The law of the angle where it is above what the first state leaves open.
 fn growth(times: &[f64], angles: &[f64], open: &[f64]) -> Option<Growth> {
-    const SMALL: f64 = 0.5;
-    let until = angles.iter().position(|angle| *angle > SMALL).unwrap_or(angles.len());
     let start = *times.first()?;
-    let points: Vec<(f64, f64)> =
-        (1..until).filter(|k| angles[*k] > 10.0 * open[*k]).map(|k| (times[k] - start, libm::log(angles[k]))).collect();
-    // From a tenth of the span on at least: over less, all laws look alike.
-    let (first, last) = (points.first()?.0, points.last()?.0);
-    if points.len() < 16 || first * 8.0 > last {
-        return None;
+    let mut trace = Trace::default();
+    for k in (1..angles.len()).filter(|k| angles[*k] > 10.0 * open[*k]) {
+        trace.push(times[k] - start, angles[k]);
     }
-    let (exponent, power_miss) = line(points.iter().map(|(t, y)| (libm::log(*t), *y)));
-    let (per_second, exponential_miss) = line(points.iter().copied());
-    if exponential_miss < 0.5 * power_miss && per_second > 0.0 {
-        return Some(Growth::Exponential { time_s: 1.0 / per_second });
-    }
-    Some(Growth::Power { exponent })
-}
-
-/// Slope and mean square miss of the straight line that fits best.
-fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
-    let (n, sx, sy) = points.clone().fold((0.0, 0.0, 0.0), |(n, sx, sy), (x, y)| (n + 1.0, sx + x, sy + y));
-    let (mx, my) = (sx / n, sy / n);
-    let (xx, xy) =
-        points.clone().fold((0.0, 0.0), |(xx, xy), (x, y)| (xx + (x - mx) * (x - mx), xy + (x - mx) * (y - my)));
-    let slope = xy / xx;
-    let miss = points.map(|(x, y)| libm::pow(y - my - slope * (x - mx), 2.0)).sum::<f64>() / n;
-    (slope, miss)
+    Growth::of(&trace, PI)
 }

@@ -30,7 +30,7 @@ mod verify;
 pub use candidates::Candidates;
 pub use cause::{Cause, Finding};
 pub use clock::Clock;
-pub use distance::{Distance, Growth};
+pub use distance::Distance;
 pub use inertia::InertiaFit;
 pub use kinematics::{Estimate, Kinematics};
 pub use laws::Laws;

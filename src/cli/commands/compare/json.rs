@@ -1,8 +1,9 @@
 use serde_json::{Value, json};
 
+use crate::cli::growth::growth_as_json;
 use crate::comparison::{
-    BodyReport, ChannelReport, Comparison, Coverage, Difference, EventDifference, Finding, Growth, Law, Mark, Report,
-    Rule, SideReport, Tolerance,
+    BodyReport, ChannelReport, Comparison, Coverage, Difference, EventDifference, Finding, Mark, Report, Rule,
+    SideReport, Tolerance,
 };
 use crate::scenario::EventKind;
 
@@ -112,26 +113,7 @@ fn channel(channel: &ChannelReport) -> Value {
             "a": number(values[0]),
             "b": number(values[1]),
         })),
-        "growth": channel.growth.as_ref().map(growth),
-    })
-}
-
-fn growth(growth: &Growth) -> Value {
-    let (law, exponent, rate_per_s) = match growth.law {
-        Law::Bounded => ("bounded", None, None),
-        Law::Power { exponent } => ("power", Some(exponent), None),
-        Law::Exponential { rate_per_s } => ("exponential", None, Some(rate_per_s)),
-        Law::Irregular => ("irregular", None, None),
-    };
-    json!({
-        "law": law,
-        "exponent": exponent,
-        "rate_per_s": rate_per_s,
-        "factor": growth.factor,
-        "from_s": growth.from_s,
-        "until_s": growth.until_s,
-        "is_saturated": growth.is_saturated,
-        "words": growth.in_words(),
+        "growth": channel.growth.as_ref().map(growth_as_json),
     })
 }
 

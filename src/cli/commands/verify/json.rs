@@ -1,6 +1,7 @@
 use serde_json::{Value, json};
 
-use crate::comparison::verify::{Estimate, Finding, Growth, Reading, Update, Verification, axes_name};
+use crate::cli::growth::growth_as_json;
+use crate::comparison::verify::{Estimate, Finding, Reading, Update, Verification, axes_name};
 
 /// All that was found of a body.
 pub fn of(found: &Verification) -> Value {
@@ -63,7 +64,7 @@ pub fn of(found: &Verification) -> Value {
             "open_rad": distance.open_rad,
             "last_rad": distance.last_rad,
             "leaves_at_s": distance.leaves_at_s,
-            "growth": distance.growth.map(growth),
+            "growth": distance.growth.as_ref().map(growth_as_json),
         })),
         "inertia": found.inertia.as_ref().map(|fit| json!({
             "ratios": fit.ratios,
@@ -85,13 +86,6 @@ fn finding(finding: &Finding) -> Value {
 
 fn estimate(estimate: Estimate) -> Value {
     json!({ "value": estimate.value, "doubt": estimate.doubt })
-}
-
-fn growth(growth: Growth) -> Value {
-    match growth {
-        Growth::Power { exponent } => json!({ "law": "power", "exponent": exponent }),
-        Growth::Exponential { time_s } => json!({ "law": "exponential", "time_s": time_s }),
-    }
 }
 
 fn columns(found: &Verification) -> Value {

@@ -1,5 +1,5 @@
 use crate::cli::table::Table;
-use crate::comparison::verify::{Estimate, Finding, Growth, Kinematics, Laws, Verdict, Verification};
+use crate::comparison::verify::{Estimate, Finding, Kinematics, Laws, Verdict, Verification};
 use crate::plot::grouped;
 
 /// Columns of a terminal.
@@ -105,11 +105,7 @@ fn measured(source: Option<&str>, found: &Verification) -> Table {
     if let Some(distance) = &found.distance {
         let worst = format!("{:.1e} rad at worst, at {} s", distance.worst_rad, plain(distance.worst_at_s));
         table.row(["from exact motion", &worst]);
-        let growth = match distance.growth {
-            Some(Growth::Power { exponent }) => format!(", grows as t^{exponent:.1}"),
-            Some(Growth::Exponential { time_s }) => format!(", grows as exp(t / {} s)", plain(time_s)),
-            None => String::new(),
-        };
+        let growth = distance.growth.map_or_else(String::new, |growth| format!(", {}", growth.in_words()));
         table.row(["", &format!("first state leaves {:.0e} rad open{growth}", distance.open_rad)]);
     }
     if let Some(fit) = &found.inertia {
