@@ -220,6 +220,14 @@ impl Write for Disk {
     }
 }
 
+impl Drop for Disk {
+    /// Closing would not do: a process that this one starts meanwhile holds the same lock until it is under way.
+    fn drop(&mut self) {
+        // A file system without locks has none to give back.
+        let _ = self.file.unlock();
+    }
+}
+
 /// Removes the part file of a run that is no more: an empty one always, another one on overwriting.
 ///
 /// It is removed, not truncated: a run killed between naming its file and removing the part has both names on one file.
@@ -240,7 +248,7 @@ fn clear_the_way(part: &Path, overwrite: bool) -> Result<(), RecordingError> {
     }
 }
 
-/// Takes the lock that says "being written", until the file is closed. A file system without locks is taken as it is.
+/// Takes the lock that says "being written", until the file is dropped. A file system without locks is taken as it is.
 fn lock(file: &File, part: &Path) -> Result<(), RecordingError> {
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => Err(being_written(part)),
@@ -304,4 +312,25 @@ fn sync_folder(path: &Path) -> io::Result<()> {
 
 fn io_error(attempt: &'static str, path: &Path, source: io::Error) -> RecordingError {
     RecordingError::Io { attempt, path: path.into(), source }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write as _;
+
+    use super::PartFile;
+
+    #[test]
+    fn a_name_is_free_once_its_writer_is_gone_though_a_child_has_inherited_the_file() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("run.csv");
+        let mut file = PartFile::create(&path, true).expect("a free name");
+        file.write_all(b"time_s\n").expect("room");
+        // What a fork does to an open file.
+        let inherited = file.buffer.get_ref().file.try_clone().expect("a second descriptor");
+        assert!(PartFile::create(&path, true).is_err(), "it is being written");
+        drop(file);
+        assert!(PartFile::create(&path, true).is_ok(), "nobody writes it any more");
+        drop(inherited);
+    }
 }
