@@ -22,7 +22,7 @@ const MOST_SAMPLES: usize = 3000;
 /// step makes.
 const WORSE: f64 = 3.0;
 /// What sampling and the methods of engines leave of a right reading, relative.
-const RIGHT: f64 = 0.02;
+pub(super) const RIGHT: f64 = 0.02;
 /// Fewer samples to a turn do not tell.
 pub const FEWEST_PER_TURN: f64 = 8.0;
 

@@ -90,7 +90,7 @@ pub enum Cause {
     },
     /// The numbers are those of 32-bit arithmetic.
     SinglePrecision,
-    /// ω is noisy.
+    /// ω is noisy, or the attitude is.
     Noise,
     /// An error of the method that is none of these.
     Truncation,
@@ -181,7 +181,7 @@ impl Cause {
             Self::NotNormalised => "the quaternion is not normalised".into(),
             Self::OutOfStep { lag_s, .. } => format!("attitude and ω of a sample are {:.3e} s apart", lag_s.abs()),
             Self::SinglePrecision => "rounding of 32-bit arithmetic".into(),
-            Self::Noise => "ω is noisy: each sample is off by itself".into(),
+            Self::Noise => "noise: each sample is off by itself".into(),
             Self::Truncation => "the method's own error: nothing known explains it".into(),
             Self::RatesDisagree => "attitude and ω are not of one motion".into(),
         }

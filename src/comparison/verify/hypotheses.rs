@@ -11,7 +11,7 @@ use super::pushed::Pushed;
 use super::reading::axes_name;
 use super::series::{Series, rms};
 use super::subject::Subject;
-use super::templates;
+use super::{templates, unexplained};
 use crate::body::{MassProperties, PrincipalMoments};
 use crate::dynamics::{Load, Problem, Torque};
 use crate::propagation::PropagationError;
@@ -90,7 +90,7 @@ pub(super) fn explain(
         None => findings.extend(templates::explain(&subject, series, &steps, steps.defects.clone(), floor, all)),
     }
     if findings.is_empty() {
-        findings.push(unexplained(&steps, series));
+        findings.push(unexplained::of_rates(&steps, series));
     }
     Ok(findings)
 }
@@ -225,25 +225,4 @@ fn clamped(subject: &Subject, series: &Series, steps: &Steps) -> Option<Finding>
         share: explained / all,
         evidence: format!("{count} samples have the largest |ω| of all, where it should have grown"),
     })
-}
-
-/// What is left when no law and no order explains the errors.
-fn unexplained(steps: &Steps, series: &Series) -> Finding {
-    let size = steps.defect() / series.rate().max(f64::MIN_POSITIVE);
-    let pairs = steps.intervals.windows(2).enumerate().filter(|(_, pair)| pair[1] == pair[0] + 1);
-    let (mut product, mut square) = (0.0, 0.0);
-    for (index, _) in pairs {
-        product += steps.defects[index].dot(&steps.defects[index + 1]);
-        square += steps.defects[index].norm_squared();
-    }
-    let correlation = if square > 0.0 { product / square } else { 0.0 };
-    // Noise of a sample enters one interval with one sign and the next with the other.
-    let (cause, evidence) = if correlation < -0.3 {
-        (Cause::Noise, format!("errors of neighbouring intervals go against each other (correlation {correlation:.2})"))
-    } else if size < 30.0 / f64::from(1 << 24) {
-        (Cause::SinglePrecision, format!("errors of {size:.1e} of ω in an interval, as rounding to 24 bits makes"))
-    } else {
-        (Cause::Truncation, format!("errors of {size:.1e} of ω in an interval, of no known form"))
-    };
-    Finding { cause, share: 0.0, evidence }
 }

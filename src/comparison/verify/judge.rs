@@ -1,9 +1,9 @@
-use super::candidates::FEWEST_PER_TURN;
+use super::candidates::{FEWEST_PER_TURN, RIGHT};
 use super::cause::{Cause, Finding};
 use super::kinematics::{CLEAR, Kinematics};
 use super::reading::axes_name;
 use super::series::{Series, rms};
-use super::{Reading, Rotation, Verdict, Verification};
+use super::{Reading, Rotation, Verdict, Verification, unexplained};
 use crate::recording::Observed;
 
 /// A reading that leaves more than this of each turn is wrong, relative.
@@ -56,13 +56,15 @@ pub(super) fn judge(found: &mut Verification, observed: &Observed, series: &Seri
         } else if !is_lag {
             found.habits.push(finding);
         }
+    } else if let Some(kinematics) = found.kinematics.as_ref().filter(|kinematics| {
+        // Of the method's own error next to nothing is left in a turn.
+        turning.is_some() && kinematics.jumps == 0 && (!motion || kinematics.mismatch > RIGHT)
+    }) && causes.iter().all(|finding| finding.cause == Cause::Truncation)
+    {
+        causes.insert(0, unexplained::of_turning(kinematics));
     }
     if motion && causes.is_empty() {
-        causes.push(Finding {
-            cause: Cause::Truncation,
-            share: 0.0,
-            evidence: "attitudes leave the exact motion although ω is right from sample to sample".into(),
-        });
+        causes.push(unexplained::of_motion(found, observed));
     }
     if let Some(kinematics) = found.kinematics.as_ref().filter(|kinematics| kinematics.jumps > 0) {
         reasons.push(format!(

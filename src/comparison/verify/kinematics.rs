@@ -3,6 +3,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::interpolation::Stencil;
 use super::rotation::{log, turned, turned_at_once};
 use super::series::{Series, count_of, rms};
+use super::unexplained::correlation;
 use super::update::Update;
 use crate::numerics::so3;
 
@@ -19,6 +20,8 @@ pub struct Kinematics {
     pub lag: Estimate,
     /// By how much faster than ω says the attitude turns, relative.
     pub excess: Estimate,
+    /// Of the differences of neighbouring turns, lag and excess taken off, −1 to 1: −½ where attitudes are noisy.
+    pub correlation: f64,
     /// How far integrating ω from the first attitude leads from the last ones at most, rad, the lag taken off.
     pub apart_rad: f64,
     /// What rounding and sampling leave of that in doubt, rad.
@@ -46,10 +49,17 @@ impl Estimate {
     pub fn is_seen(&self) -> bool {
         self.value.abs() > self.doubt
     }
+
+    /// Zero, in doubt by what it was.
+    fn unseen(self) -> Self {
+        Self { value: 0.0, doubt: self.doubt.max(self.value.abs()) }
+    }
 }
 
 /// A mismatch this many times the middle one is a jump, if those are few.
 const JUMP: f64 = 30.0;
+/// A shift or a factor that leaves more than this of the difference explains next to nothing, and is none.
+const LITTLE: f64 = 0.9;
 /// Doubts beyond which something is seen.
 pub(super) const CLEAR: f64 = 4.0;
 
@@ -119,7 +129,14 @@ impl Kinematics {
 
         let lag = lag(series, &plain, &floors, &kept);
         let shifted = if lag.is_seen() { Turns::of(series, lag.value) } else { plain };
-        let excess = along(&shifted.recorded, &shifted.made, &shifted.made, &floors, &kept);
+        let mut excess = along(&shifted.recorded, &shifted.made, &shifted.made, &floors, &kept);
+        let off = |k: usize, factor: f64| shifted.recorded[k] - shifted.made[k] * factor;
+        let left = |factor: f64| rms(kept.iter().map(|k| off(*k, factor).norm()));
+        if left(1.0 + excess.value) > LITTLE * left(1.0) {
+            excess = excess.unseen();
+        }
+        let rest: Vec<_> = (0..count).map(|k| off(k, 1.0 + excess.value)).collect();
+        let neighbours = kept.windows(2).filter(|pair| pair[1] == pair[0] + 1);
         let (apart_rad, apart_floor_rad) = apart(series, &shifted, &floors);
         Some(Self {
             samples_per_turn: series.samples_per_turn(),
@@ -127,6 +144,7 @@ impl Kinematics {
             floor: rms(floors.iter().copied()) / angle,
             lag,
             excess,
+            correlation: correlation(neighbours.map(|pair| [&rest[pair[0]], &rest[pair[1]]])),
             apart_rad,
             apart_floor_rad,
             jumps: jumps.len(),
@@ -193,10 +211,8 @@ fn lag(series: &Series, plain: &Turns, floors: &[f64], kept: &[usize]) -> Estima
         let more = along(&turns.recorded, &turns.made, &change, floors, kept);
         estimate.value += more.value;
     }
-    let before = plain.mismatch();
-    // A shift that explains next to nothing of the difference is none.
-    if Turns::of(series, estimate.value).mismatch() > 0.9 * before {
-        return Estimate { value: 0.0, doubt: estimate.doubt.max(estimate.value.abs()) };
+    if Turns::of(series, estimate.value).mismatch() > LITTLE * plain.mismatch() {
+        return estimate.unseen();
     }
     estimate
 }

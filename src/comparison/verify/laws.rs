@@ -46,11 +46,11 @@ pub(super) struct Steps {
 pub(super) const MOST_INTERVALS: usize = 20_000;
 
 impl Steps {
-    /// Of `most` intervals, spread over all.
+    /// Of `most` intervals, in neighbouring pairs spread over all: noise is told by what it does to both.
     pub fn of(subject: &Subject, series: &Series, rounding_s: f64, most: usize) -> Result<Self, PropagationError> {
         let count = series.len().saturating_sub(1);
         let stride = count.div_ceil(most).max(1);
-        let intervals: Vec<usize> = (0..count).step_by(stride).collect();
+        let intervals: Vec<usize> = (0..count).filter(|k| (k / 2).is_multiple_of(stride)).collect();
         let mut exact = Vec::with_capacity(intervals.len());
         let (mut defects, mut floors) = (Vec::new(), Vec::new());
         let rate = series.rate();

@@ -22,6 +22,7 @@ mod rotation;
 mod series;
 mod subject;
 mod templates;
+mod unexplained;
 mod update;
 mod verification;
 #[expect(clippy::module_inception, reason = "the function of this name is what the module is for")]

@@ -136,12 +136,16 @@ impl Series {
 /// Half a unit in the last place, relative; that of f32 where every number is one.
 pub(super) fn resolution<const N: usize>(track: &Track<N>) -> f64 {
     const SINGLE: f64 = 1.0 / (1 << 24) as f64;
+    if is_single(track) { track.resolution.max(SINGLE) } else { track.resolution }
+}
+
+/// Whether every number is an f32.
+pub(super) fn is_single<const N: usize>(track: &Track<N>) -> bool {
     #[expect(clippy::cast_possible_truncation, reason = "whether it is an f32 is the question")]
     let is_single = |value: &f64| f64::from(*value as f32).to_bits() == value.to_bits();
     // Zeros and ones are f32's in any file.
     let varies = track.columns.iter().flatten().any(|value| *value != value.round());
-    let is_all_single = varies && track.columns.iter().flatten().all(is_single);
-    if is_all_single { track.resolution.max(SINGLE) } else { track.resolution }
+    varies && track.columns.iter().flatten().all(is_single)
 }
 
 /// As a number.

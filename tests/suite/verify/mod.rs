@@ -7,3 +7,4 @@ mod engines;
 #[cfg(feature = "cli")]
 mod program;
 mod readings;
+mod unexplained;
