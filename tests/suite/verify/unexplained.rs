@@ -49,7 +49,6 @@ impl Noise {
         let mut sum = -6.0;
         for _ in 0..12 {
             self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            #[expect(clippy::cast_possible_truncation, reason = "the upper half, which fits")]
             let upper = (self.0 >> 32) as u32;
             sum += f64::from(upper) / f64::from(u32::MAX);
         }
