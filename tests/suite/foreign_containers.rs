@@ -76,7 +76,6 @@ fn assert_rates(track: Option<&Track<3>>, axes: Axes) {
     assert_is(track, |t| rates(t, axes), DOUBLE);
 }
 
-#[cfg(feature = "mcap")]
 #[test]
 fn transforms_and_an_imu_of_ros_2_are_one_body() {
     let found = read("ros2_zstd.mcap");
@@ -89,7 +88,6 @@ fn transforms_and_an_imu_of_ros_2_are_one_body() {
     assert_eq!(found.remarks, ["/imu: taken for base_link, in its axes", "told once, so taken to rest: camera"]);
 }
 
-#[cfg(feature = "mcap")]
 #[test]
 fn odometry_poses_twists_and_wrenches_of_ros_2_are_in_their_frames() {
     let found = read("ros2_lz4.mcap");
@@ -106,7 +104,6 @@ fn odometry_poses_twists_and_wrenches_of_ros_2_are_in_their_frames() {
     assert_eq!((found.bodies.len(), found.start_ns), (2, 0));
 }
 
-#[cfg(feature = "mcap")]
 #[test]
 fn messages_of_foxglove_are_read_from_protobuf_and_json() {
     let found = read("foxglove_protobuf.mcap");
@@ -122,7 +119,6 @@ fn messages_of_foxglove_are_read_from_protobuf_and_json() {
     assert_eq!(body(&found, "top").attitude.as_ref().expect("told").resolution, f64::EPSILON);
 }
 
-#[cfg(feature = "mcap")]
 #[test]
 fn one_body_may_be_asked_for() {
     let found = observe(&file("foxglove_protobuf.mcap"), &of_frame("top")).expect("told");
@@ -134,7 +130,6 @@ fn one_body_may_be_asked_for() {
     assert!(refused.contains("no \"bottom\", only of top, /pose, /poses[0]"), "{refused}");
 }
 
-#[cfg(feature = "rerun")]
 #[test]
 fn transforms_of_rerun_are_read_in_every_form() {
     let found = read("rerun.rrd");
@@ -150,7 +145,6 @@ fn transforms_of_rerun_are_read_in_every_form() {
     assert_is(body(&found, "/world/top").position.as_ref(), position, SINGLE);
 }
 
-#[cfg(feature = "rerun")]
 #[test]
 fn a_timeline_that_counts_tells_no_times() {
     let refused = observe(&file("rerun_frames.rrd"), &Mapping::default()).expect_err("no times").to_string();
@@ -166,7 +160,6 @@ fn a_timeline_that_counts_tells_no_times() {
 }
 
 /// A recording of this crate has every sample in scalars: read as those of another, they are the same.
-#[cfg(feature = "rerun")]
 #[test]
 fn scalars_of_rerun_are_read_by_a_mapping() {
     let folder = tempdir().expect("a folder");
@@ -197,18 +190,13 @@ fn scalars_of_rerun_are_read_by_a_mapping() {
 #[test]
 fn damaged_containers_do_no_harm() {
     let folder = tempdir().expect("a folder");
-    let mut files = Vec::new();
-    if cfg!(feature = "mcap") {
-        files.extend([
-            ("ros2_zstd.mcap", 31),
-            ("ros2_lz4.mcap", 61),
-            ("foxglove_protobuf.mcap", 31),
-            ("foxglove_json.mcap", 31),
-        ]);
-    }
-    if cfg!(feature = "rerun") {
-        files.push(("rerun.rrd", 131));
-    }
+    let files = [
+        ("ros2_zstd.mcap", 31),
+        ("ros2_lz4.mcap", 61),
+        ("foxglove_protobuf.mcap", 31),
+        ("foxglove_json.mcap", 31),
+        ("rerun.rrd", 131),
+    ];
     for (name, every) in files {
         let bytes = fs::read(file(name)).expect("committed");
         let path = folder.path().join(name);

@@ -22,7 +22,7 @@ mod faults;
 mod fixed_step;
 mod floors;
 mod forced_oracle;
-#[cfg(any(feature = "mcap", feature = "rerun"))]
+#[cfg(all(feature = "mcap", feature = "rerun"))]
 mod foreign_containers;
 #[cfg(feature = "serde")]
 mod foreign_engines;
