@@ -2,8 +2,9 @@ use std::collections::BTreeMap;
 use std::io::Error;
 
 use mcap::records::{Channel as Topic, MessageHeader, Metadata, Record, op};
-use mcap::{McapError, McapResult, parse_record};
+use mcap::{McapError, McapResult};
 
+use super::parse::parse;
 use super::scan::attachment;
 use super::state::{self, StateLayout};
 use crate::recording::subject::certificate;
@@ -66,7 +67,7 @@ impl Intake {
             }
             return Ok(());
         }
-        match parse_record(opcode, body)? {
+        match parse(opcode, body)? {
             Record::Metadata(metadata) if metadata.name == "polhode" => self.take_facts(metadata),
             Record::Schema { header, data } => {
                 let is_ours = header.encoding == "protobuf" && *data == *state::descriptor();

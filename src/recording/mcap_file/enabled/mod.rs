@@ -8,6 +8,7 @@ mod foreign;
 mod foxglove;
 mod intake;
 mod log;
+mod parse;
 mod read;
 mod scan;
 mod scene;
@@ -16,6 +17,7 @@ mod summary;
 mod surfaces;
 mod tally;
 mod template;
+mod unpack;
 mod write;
 
 pub(in crate::recording) use columns::open;

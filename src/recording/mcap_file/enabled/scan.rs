@@ -2,9 +2,11 @@ use std::io::{Error, Read, Seek};
 
 use mcap::records::{Record, op};
 use mcap::sans_io::linear_reader::{LinearReadEvent, LinearReader, LinearReaderOptions};
-use mcap::{McapError, McapResult, parse_record};
+use mcap::{McapError, McapResult};
 
+use super::parse::parse;
 use super::tally::Tally;
+use super::unpack::Unpacked;
 
 /// No record is longer, and no chunk, packed or unpacked: what a damaged length asks for is not allocated.
 const LONGEST_RECORD: usize = 1 << 28;
@@ -14,6 +16,7 @@ const LONGEST_RECORD: usize = 1 << 28;
 pub(super) struct Records<R> {
     file: R,
     reader: LinearReader,
+    chunk: Unpacked,
     bytes_read: u64,
     data_has_ended: bool,
 }
@@ -22,21 +25,29 @@ impl<R: Read + Seek> Records<R> {
     pub fn begin(mut file: R) -> McapResult<Self> {
         file.rewind()?;
         let options = LinearReaderOptions::default()
-            .with_prevalidate_chunk_crcs(true)
+            .with_emit_chunks(true)
             .with_validate_data_section_crc(true)
             .with_validate_summary_section_crc(true)
             .with_record_length_limit(LONGEST_RECORD);
-        Ok(Self { file, reader: LinearReader::new_with_options(options), bytes_read: 0, data_has_ended: false })
+        let reader = LinearReader::new_with_options(options);
+        Ok(Self { file, reader, chunk: Unpacked::default(), bytes_read: 0, data_has_ended: false })
     }
 
     /// Goes on by one step, which may bring a record: kind and fields. False at the end.
     pub fn advance(&mut self, visit: impl FnOnce(u8, &[u8]) -> McapResult<()>) -> McapResult<bool> {
+        if let Some((opcode, body)) = self.chunk.advance()? {
+            visit(opcode, body)?;
+            return Ok(true);
+        }
         match self.reader.next_event().transpose()? {
             None => return Ok(false),
             Some(LinearReadEvent::ReadRequest(bytes)) => {
                 let read = self.file.read(self.reader.insert(bytes))?;
                 self.bytes_read += read as u64;
                 self.reader.notify_read(read);
+            }
+            Some(LinearReadEvent::Record { data, opcode: op::CHUNK }) => {
+                self.chunk.unpack(data, LONGEST_RECORD as u64)?;
             }
             Some(LinearReadEvent::Record { data, opcode }) => {
                 self.data_has_ended |= opcode == op::DATA_END;
@@ -63,7 +74,7 @@ pub(super) fn count(opcode: u8, body: &[u8], tally: &mut Tally) -> McapResult<()
         tally.add_attachment(&name, &media_type, data.len() as u64);
         return Ok(());
     }
-    match parse_record(opcode, body)? {
+    match parse(opcode, body)? {
         Record::Header(header) => tally.library = header.library,
         Record::Schema { header, .. } => {
             tally.schemas.insert(header.id, header.name);

@@ -3,17 +3,22 @@ use std::io::{Read, Seek, SeekFrom};
 
 use mcap::records::{ChunkIndex, Record, op};
 use mcap::sans_io::summary_reader::{SummaryReadEvent, SummaryReader, SummaryReaderOptions};
-use mcap::{McapError, McapResult, Summary, parse_record};
+use mcap::{McapError, McapResult, Summary};
 
+use super::parse::{check, parse};
 use super::tally::{Tally, Topic};
 
 /// Bytes of the footer's record: kind, length, two places, a check sum.
 const FOOTER: u64 = 1 + 8 + 8 + 8 + 4;
 
+/// Bytes before the fields of a record: kind and length.
+const START: usize = 1 + 8;
+
 /// What the summary at the end of the file says, with the times of each topic from the message indexes; `None` if the
 /// file has no summary, or one without counts.
 pub(super) fn read_summary(file: &mut (impl Read + Seek), length: u64) -> McapResult<Option<Tally>> {
     check_start(file)?;
+    check_texts(file, length)?;
     let Some(summary) = summary_at_end(file, length)? else { return Ok(None) };
     check_summary(file, length)?;
     let Some(statistics) = &summary.stats else { return Ok(None) };
@@ -49,6 +54,32 @@ fn check_start(file: &mut (impl Read + Seek)) -> McapResult<()> {
         Ok(()) if magic == mcap::MAGIC => Ok(()),
         _ => Err(McapError::BadMagic),
     }
+}
+
+/// Holds the texts of the summary against what is there, as far as its records follow one another; whether they do is for
+/// the crate's reader to say.
+fn check_texts(file: &mut (impl Read + Seek), length: u64) -> McapResult<()> {
+    let end = length.saturating_sub(mcap::MAGIC.len() as u64 + FOOTER);
+    let Ok(Record::Footer(footer)) = record_at(file, length, end, op::FOOTER) else { return Ok(()) };
+    if footer.summary_start == 0 || footer.summary_start > end {
+        return Ok(());
+    }
+    let mut place = footer.summary_start;
+    file.seek(SeekFrom::Start(place))?;
+    let (mut start, mut body) = ([0; START], Vec::new());
+    while place + START as u64 <= end {
+        file.read_exact(&mut start)?;
+        let [opcode, size @ ..] = start;
+        let size = u64::from_le_bytes(size);
+        if size > end - place {
+            break;
+        }
+        body.clear();
+        file.take(size).read_to_end(&mut body)?;
+        check(opcode, &body)?;
+        place += START as u64 + size;
+    }
+    Ok(())
 }
 
 fn summary_at_end(file: &mut (impl Read + Seek), length: u64) -> McapResult<Option<Summary>> {
@@ -130,7 +161,7 @@ fn times_of(
 
 /// The record of kind `opcode` at `offset`.
 fn record_at(file: &mut (impl Read + Seek), length: u64, offset: u64, opcode: u8) -> McapResult<Record<'static>> {
-    let mut start = [0; 9];
+    let mut start = [0; START];
     file.seek(SeekFrom::Start(offset))?;
     file.read_exact(&mut start).map_err(|_| McapError::BadIndex)?;
     let [found, size @ ..] = start;
@@ -140,5 +171,5 @@ fn record_at(file: &mut (impl Read + Seek), length: u64, offset: u64, opcode: u8
     }
     let mut body = Vec::new();
     file.take(size).read_to_end(&mut body)?;
-    Ok(parse_record(opcode, &body)?.into_owned())
+    Ok(parse(opcode, &body)?.into_owned())
 }
