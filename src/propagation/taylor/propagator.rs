@@ -81,6 +81,19 @@ impl Taylor {
         self.order
     }
 
+    /// Goes on towards `time`, s, by so many steps at most; how far it has come, s. Earlier times are then past.
+    ///
+    /// # Errors
+    /// If the state ceases to be finite or a step cannot be made small enough.
+    pub fn reach(&mut self, time: f64, steps: u64) -> Result<f64, PropagationError> {
+        let limit = self.effort.steps.saturating_add(steps);
+        while self.end.time.until(time) > 0.0 && self.effort.steps < limit {
+            self.advance()?;
+        }
+        self.latest = self.latest.max(self.end.time.high.min(time));
+        Ok(self.latest)
+    }
+
     /// Makes one step.
     fn advance(&mut self) -> Result<(), PropagationError> {
         if self.end.time.until(self.stretches[self.current].end) <= 0.0 {

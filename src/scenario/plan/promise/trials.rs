@@ -97,17 +97,9 @@ fn run(propagator: &mut dyn Propagator, times: &[f64]) -> Result<(States, Effort
     Ok((states, propagator.effort()))
 }
 
-/// `end`, or the largest of its halves, quarters … that takes no more than [`MOST_STEPS`], s.
+/// `end`, or the largest of its halves, quarters … that takes no more than [`MOST_STEPS`], s. However fast things happen,
+/// and whenever they begin to, no more steps are made to find out.
 fn within_reach(problem: &Problem, end: f64) -> Result<f64, PropagationError> {
-    let (mut probe, mut states) = (Taylor::new(problem, COUNTING)?, States::default());
-    let mut reached = 0.0;
-    for halvings in (0..=HALVINGS).rev() {
-        let time = libm::ldexp(end, -halvings);
-        probe.fill(&[time], &mut states)?;
-        if probe.effort().steps > MOST_STEPS {
-            break;
-        }
-        reached = time;
-    }
-    Ok(reached)
+    let reached = Taylor::new(problem, COUNTING)?.reach(end, MOST_STEPS)?;
+    Ok((0..=HALVINGS).map(|halvings| libm::ldexp(end, -halvings)).find(|part| *part <= reached).unwrap_or(0.0))
 }
