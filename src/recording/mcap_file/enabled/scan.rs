@@ -11,6 +11,9 @@ use super::unpack::Unpacked;
 /// No record is longer, and no chunk, packed or unpacked: what a damaged length asks for is not allocated.
 const LONGEST_RECORD: usize = 1 << 28;
 
+/// No more room is made at once than a chunk of this crate's takes: a length that is only claimed costs as much as is there.
+const LONGEST_READ: usize = 1 << 20;
+
 /// The records of a file from its start, those in chunks among them. A chunk's come only after its checksum was found
 /// right.
 pub(super) struct Records<R> {
@@ -42,7 +45,7 @@ impl<R: Read + Seek> Records<R> {
         match self.reader.next_event().transpose()? {
             None => return Ok(false),
             Some(LinearReadEvent::ReadRequest(bytes)) => {
-                let read = self.file.read(self.reader.insert(bytes))?;
+                let read = self.file.read(self.reader.insert(bytes.min(LONGEST_READ)))?;
                 self.bytes_read += read as u64;
                 self.reader.notify_read(read);
             }
