@@ -15,6 +15,8 @@ mod compare;
 mod contested_names;
 #[cfg(feature = "serde")]
 mod convert;
+#[cfg(feature = "serde")]
+mod corpora;
 mod csv_format;
 mod effort;
 mod equivalence;
@@ -53,6 +55,7 @@ mod planned;
 mod plots;
 mod precise;
 mod promises;
+mod properties;
 #[cfg(feature = "serde")]
 mod recover;
 mod reference;

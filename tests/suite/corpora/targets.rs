@@ -1,0 +1,181 @@
+//! What each fuzz target does with its bytes. The crate in `fuzz/` compiles this, and so do the tests, which do it again
+//! with the bytes that fuzzing has found.
+//!
+//! An error is an answer; a panic, a hang or a heap without bounds is none. What is not refused must hold what it says.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use polhode::body::TriangleMesh;
+use polhode::dynamics::{Problem, Torque};
+use polhode::propagation::States;
+use polhode::recording::{Recording, RecordingError, contents};
+use polhode::scenario::{Grid, Plan, Scenario};
+use polhode::telemetry::BodySamples;
+
+/// One of the files that a target rewrites for every input.
+pub struct Scratch {
+    folder: PathBuf,
+}
+
+impl Scratch {
+    /// In `folder`, which should be in memory: inputs come by the thousand a second.
+    pub fn new(folder: &Path) -> Self {
+        Self { folder: folder.into() }
+    }
+
+    fn file(&self, name: &str, bytes: &[u8]) -> PathBuf {
+        let path = self.folder.join(name);
+        fs::write(&path, bytes).expect("room for an input");
+        path
+    }
+}
+
+/// What a target does with its bytes.
+pub type Target = fn(&Scratch, &[u8]);
+
+/// Every target by the name of its corpus.
+pub const TARGETS: &[(&str, Target)] = &[
+    ("csv", csv),
+    #[cfg(feature = "mcap")]
+    ("mcap", mcap),
+    ("obj", obj),
+    #[cfg(feature = "rerun")]
+    ("rrd", rrd),
+    ("scene", scene),
+    ("set", set),
+    ("stl", stl),
+];
+
+/// A scene as text.
+pub fn scene(_: &Scratch, bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    if let Ok(scenario) = Scenario::parse(text, "fuzz.toml", &[]) {
+        plan(&scenario);
+    }
+}
+
+/// Assignments as `--set` takes them, one a line, to a scene that comes with the program: the first line says which.
+pub fn set(_: &Scratch, bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    let mut lines = text.lines().map(str::to_owned);
+    let name = lines.next().unwrap_or_default();
+    if let Ok(scenario) = Scenario::named(&name, &lines.collect::<Vec<_>>()) {
+        plan(&scenario);
+    }
+}
+
+/// A mesh as STL.
+pub fn stl(scratch: &Scratch, bytes: &[u8]) {
+    mesh(&scratch.file("fuzz.stl", bytes));
+}
+
+/// A mesh as OBJ.
+pub fn obj(scratch: &Scratch, bytes: &[u8]) {
+    mesh(&scratch.file("fuzz.obj", bytes));
+}
+
+/// A recording as a table.
+pub fn csv(scratch: &Scratch, bytes: &[u8]) {
+    recording(scratch, bytes, "fuzz.csv");
+}
+
+/// A recording as `.mcap`.
+#[cfg(feature = "mcap")]
+pub fn mcap(scratch: &Scratch, bytes: &[u8]) {
+    recording(scratch, bytes, "fuzz.mcap");
+}
+
+/// A recording as `.rrd`.
+#[cfg(feature = "rerun")]
+pub fn rrd(scratch: &Scratch, bytes: &[u8]) {
+    recording(scratch, bytes, "fuzz.rrd");
+}
+
+/// As a whole recording, and as what a killed run left.
+fn recording(scratch: &Scratch, bytes: &[u8], name: &str) {
+    for name in [name.to_owned(), format!("{name}.part")] {
+        let path = scratch.file(&name, bytes);
+        let columns = columns(&path);
+        if let Ok(contents) = contents(&path) {
+            // Whoever says that there are columns has read them.
+            assert!(contents.survey.is_none() || columns.is_ok(), "{:?}", columns.err());
+        }
+    }
+}
+
+/// Reads all samples. Times ascend, and no column is shorter than another.
+fn columns(path: &Path) -> Result<(), RecordingError> {
+    let mut recording = Recording::open(path)?;
+    let (mut last, mut count) = (f64::NEG_INFINITY, 0);
+    while let Some(samples) = recording.next_batch()? {
+        assert_eq!(samples.first_index, count);
+        count += samples.len() as u64;
+        for time in &samples.times_s {
+            assert!(time.is_finite() && *time > last, "{time} s after {last} s");
+            last = *time;
+        }
+        let columns = samples.bodies.iter().flat_map(BodySamples::columns);
+        assert!(
+            columns.clone().all(|column| column.len() == samples.len()) && samples.stamps_ns.len() == samples.len()
+        );
+    }
+    Ok(())
+}
+
+/// A mesh that is read has triangles of its own finite vertices; one that encloses a volume has that of a body.
+fn mesh(path: &Path) {
+    let Ok(mesh) = TriangleMesh::read(path, 1e-3) else { return };
+    assert!(!mesh.triangles.is_empty());
+    assert!(mesh.triangles.iter().flatten().all(|corner| (*corner as usize) < mesh.vertices.len()));
+    assert!(mesh.vertices.iter().flatten().all(|value| value.is_finite()));
+    if let Ok(properties) = mesh.mass_properties(1000.0) {
+        assert!(mesh.check_closed().is_ok() && properties.mass.is_some_and(|mass| mass > 0.0 && mass.is_finite()));
+    }
+}
+
+/// Plans a scene, and begins the motion of each body.
+fn plan(scenario: &Scenario) {
+    let Ok(plan) = Plan::new(scenario) else { return };
+    assert!(!plan.bodies.is_empty() && !plan.grid.is_empty());
+    for body in &plan.bodies {
+        let Ok(mut motion) = body.propagator() else { continue };
+        let mut states = States::default();
+        if motion.fill(&first_times(&plan.grid, &body.problem), &mut states).is_ok() {
+            finite(&states);
+        }
+    }
+}
+
+/// Up to three times of the run, but no more of it than about a radian: how long it takes is up to its author.
+fn first_times(grid: &Grid, problem: &Problem) -> [f64; 3] {
+    let end = grid.end().min(1.0 / pace(problem));
+    [0.0, 0.5 * end, end]
+}
+
+/// How fast things happen to the body at most, 1/s, whenever they do.
+fn pace(problem: &Problem) -> f64 {
+    let moments = problem.moments.vector();
+    let (smallest, largest) = (moments.min(), moments.max());
+    let turning = |moment: f64| (moment / smallest).sqrt();
+    let loads = problem.loads.iter().map(|load| match load.torque {
+        Torque::ConstantBody { moment } | Torque::ConstantWorld { moment } => turning(moment.norm()),
+        Torque::LinearDamping { coefficient } => coefficient / smallest,
+        Torque::MomentumBrake { rate } => rate,
+        Torque::ForceBody { force, arm } | Torque::ForceWorld { force, arm } => turning(force.norm() * arm.norm()),
+        Torque::GravityGradient { mean_motion } => mean_motion * (1.0 + turning(largest)),
+    });
+    let spin = problem.initial.angular_velocity.in_body().norm() * largest / smallest;
+    loads.sum::<f64>() + spin
+}
+
+/// Nothing that is not finite comes without an error, and attitudes are of unit length.
+fn finite(states: &States) {
+    let vectors = [&states.angular_velocity, &states.position, &states.velocity];
+    let numbers = vectors.into_iter().flatten().chain(&states.attitude).flatten();
+    assert!(numbers.clone().all(|number| number.is_finite()), "{states:?}");
+    for row in 0..states.attitude[0].len() {
+        let length: f64 = states.attitude.iter().map(|column| column[row] * column[row]).sum();
+        assert!((length - 1.0).abs() < 1e-14, "{states:?}");
+    }
+}
