@@ -1,5 +1,6 @@
 use std::io::Read;
 
+use lz4_flex::frame::FrameDecoder;
 use mcap::records::{Record, op};
 use mcap::{McapError, McapResult};
 
@@ -32,6 +33,7 @@ impl Unpacked {
             "" => data.take(size + 1).read_to_end(&mut self.records),
             "zstd" => zstd::stream::read::Decoder::with_buffer(&*data)
                 .and_then(|unpacked| unpacked.take(size + 1).read_to_end(&mut self.records)),
+            "lz4" => FrameDecoder::new(&*data).take(size + 1).read_to_end(&mut self.records),
             other => return Err(McapError::UnsupportedCompression(other.to_owned())),
         };
         let found = unpacked.map_err(|error| McapError::DecompressionError(error.to_string()))? as u64;

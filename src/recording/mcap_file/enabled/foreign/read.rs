@@ -4,8 +4,9 @@ use std::io::{BufReader, Error};
 use std::path::Path;
 
 use mcap::records::{Channel as Topic, MessageHeader, Record, op};
-use mcap::{McapError, McapResult, parse_record};
+use mcap::{McapError, McapResult};
 
+use super::super::parse::parse;
 use super::super::read::refused;
 use super::super::scan::Records;
 use super::super::state;
@@ -76,7 +77,7 @@ impl Intake {
         if opcode == op::ATTACHMENT {
             return Ok(());
         }
-        match parse_record(opcode, body)? {
+        match parse(opcode, body)? {
             Record::Schema { header, .. } => {
                 self.is_own |= header.name == state::NAME;
                 self.schemas.insert(header.id, header.name);
