@@ -4,9 +4,7 @@ use std::process::ExitCode;
 
 use super::Arguments;
 use super::args::Command;
-use super::commands::{
-    bench, compare, convert, digest, golden, inspect, list, plan, plot, recover, report, run, verify, view,
-};
+use super::commands::{bench, compare, convert, digest, golden, inspect, list, plan, plot, recover, report, run, stress, verify, view};
 use super::output::remark;
 use crate::scenario::{Scenario, ScenarioError};
 
@@ -29,6 +27,7 @@ pub fn execute(arguments: Arguments) -> ExitCode {
         Command::Run(arguments) => run::execute(&arguments),
         Command::Plan(arguments) => plan::execute(&arguments),
         Command::Bench(arguments) => bench::execute(&arguments),
+        Command::Stress(arguments) => stress::execute(&arguments),
         Command::Inspect(arguments) => inspect::execute(&arguments),
         Command::Verify(arguments) => verify::execute(&arguments),
         Command::Convert(arguments) => convert::execute(&arguments),

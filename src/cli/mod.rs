@@ -12,6 +12,7 @@ mod output;
 mod progress;
 mod report;
 mod source;
+mod space;
 mod table;
 
 pub use args::Arguments;

@@ -197,8 +197,9 @@ fn number(value: f64) -> String {
     if (1e-4..1e9).contains(&value.abs()) { rounded.to_string() } else { format!("{value:.3e}") }
 }
 
+/// With a unit to match.
 #[expect(clippy::cast_precision_loss, reason = "for people")]
-fn size(bytes: u64) -> String {
+pub fn size(bytes: u64) -> String {
     match bytes {
         0..1_000 => format!("{bytes} B"),
         1_000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),

@@ -25,10 +25,11 @@ pub use event::{Event, EventKind};
 pub use grid::Grid;
 pub use key::{Key, Refusal, Segment};
 pub(crate) use near_miss::nearest;
+pub(crate) use plan::nudged;
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
-    BodySpec, BoxSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec, ForceSpec, ForceSpecs, Frame,
-    GravityGradientSpec, MeshSpec, Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance,
+    BodySpec, BoxSpec, BrakeSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec, ForceSpec, ForceSpecs,
+    Frame, GravityGradientSpec, MeshSpec, Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance,
     RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, TorqueSpecs, TorusSpec, ValueSpec,
 };

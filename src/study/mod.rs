@@ -7,11 +7,13 @@ mod exact_motion;
 mod pareto;
 mod reference;
 mod search;
+mod stress;
 mod timing;
 mod work_precision;
 
 pub use certificate::certify;
 pub use pareto::pareto_front;
 pub use reference::{Reference, reference_states};
+pub use stress::{Case, Cell, Depth, Drift, Ending, Row, Trial, Truth, Verdict, cases, stress};
 pub use timing::{Clock, Spread, interleaved, wall_clock};
 pub use work_precision::{Level, Point, Request, WorkPrecision, work_precision};

@@ -29,10 +29,8 @@ pub struct Reference {
 pub fn reference_states(body: &PlannedBody, times: &[f64]) -> Result<Reference, ScenarioError> {
     let exact = ExactMotion::at(&body.problem, times.iter().copied())?;
     if exact.states.len() == times.len() {
-        let states = rounded(&exact.states);
-        let rounding =
-            exact.states.iter().enumerate().map(|(row, state)| angle(state.attitude, attitude(&states, row)));
-        let doubt_rad = exact.uncertainty + rounding.fold(0.0, f64::max);
+        let (states, rounding) = rounded(&exact.states);
+        let doubt_rad = exact.uncertainty + rounding;
         return Ok(Reference { states, method: ExactMotion::NAME, witness: "the same by other steps", doubt_rad });
     }
     let is_known = tightest(body, Method::ClosedForm).is_ok();
@@ -44,8 +42,8 @@ pub fn reference_states(body: &PlannedBody, times: &[f64]) -> Result<Reference, 
     Ok(Reference { states, method: method.key(), witness: witness.key(), doubt_rad })
 }
 
-/// Attitude and ω in f64.
-fn rounded(exact: &[PreciseState]) -> States {
+/// Attitude and ω in f64, and how far that turns the attitude, rad.
+pub(super) fn rounded(exact: &[PreciseState]) -> (States, f64) {
     let mut states = States::default();
     states.reset(exact.len(), true, false);
     for (row, state) in exact.iter().enumerate() {
@@ -56,7 +54,9 @@ fn rounded(exact: &[PreciseState]) -> States {
             column[row] = value.hi();
         }
     }
-    states
+    let turned = exact.iter().enumerate().map(|(row, state)| angle(state.attitude, attitude(&states, row)));
+    let turned = turned.fold(0.0, f64::max);
+    (states, turned)
 }
 
 fn attitude(states: &States, row: usize) -> [DoubleDouble; 4] {

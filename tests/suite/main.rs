@@ -41,6 +41,7 @@ mod hostile;
 #[cfg(all(feature = "cli", unix))]
 mod killed_runs;
 mod lagrange_top;
+mod limits;
 #[cfg(feature = "mcap")]
 mod mcap_format;
 #[cfg(feature = "serde")]
@@ -68,6 +69,7 @@ mod same_bytes;
 mod same_motion;
 #[cfg(feature = "serde")]
 mod scenarios;
+mod stress;
 mod torque_laws;
 mod trajectories;
 #[cfg(feature = "serde")]

@@ -8,6 +8,7 @@ mod pictures;
 mod recordings;
 mod run;
 mod scenes;
+mod stress;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -20,6 +21,7 @@ pub(super) use pictures::{PlotArguments, ReportArguments};
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
 pub(super) use run::{FileFormat, RunArguments};
 pub(super) use scenes::{ListArguments, PlanArguments};
+pub(super) use stress::StressArguments;
 pub(super) use verify::VerifyArguments;
 
 const EXAMPLES: &str = "\
@@ -34,6 +36,7 @@ Examples:
   polhode plan lagrange_top                       which method, why, and what is skipped
   polhode run dzhanibekov --live                  into a Rerun viewer that is open
   polhode bench dzhanibekov --plot costs.svg      what each method costs for how much accuracy
+  polhode stress --plot stress.svg                every method against what breaks methods
   polhode inspect recordings/dzhanibekov.mcap     what is in a recording
   polhode verify engine.csv --map engine.toml --principal-moments 1,2,3
                                                   is a program's rotation right, and if not, why?
@@ -71,6 +74,11 @@ pub(super) enum Command {
     Plan(PlanArguments),
     /// Measure what each method costs for how much accuracy, against a reference.
     Bench(BenchArguments),
+    /// Try every method on the motions that break methods: separatrices, needles, extreme units, long spans.
+    ///
+    /// Each run is held against a reference and against limits that are stated beforehand. Exit code 1: a result that must
+    /// never be given was given.
+    Stress(StressArguments),
     /// Show what is in a recording (.mcap, .rrd, .csv).
     Inspect(InspectArguments),
     /// Hold a recording of any program against physics: is its rotation right, and if not, why?

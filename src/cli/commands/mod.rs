@@ -12,5 +12,6 @@ pub mod plot;
 pub mod recover;
 pub mod report;
 pub mod run;
+pub mod stress;
 pub mod verify;
 pub mod view;

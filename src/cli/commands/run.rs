@@ -12,6 +12,7 @@ use crate::cli::layout;
 use crate::cli::output::{print, print_json, remark};
 use crate::cli::progress::Progress;
 use crate::cli::report::Report;
+use crate::cli::space::{self, NoRoom};
 use crate::propagation::PropagationError;
 use crate::recording::live::LiveViewer;
 use crate::recording::picture::Picture;
@@ -32,6 +33,8 @@ enum RunError {
     Certificate(PropagationError),
     #[error("cannot make the folder {path}: {source}", path = path.display())]
     Folder { path: PathBuf, source: io::Error },
+    #[error(transparent)]
+    NoRoom(#[from] NoRoom),
     #[error("two scenes are called {0:?}: their recordings would have one name")]
     SameName(String),
 }
@@ -96,6 +99,7 @@ fn plans(arguments: &RunArguments) -> Result<Vec<Plan>, RunError> {
     if !arguments.formats().is_empty() {
         std::fs::create_dir_all(&arguments.out)
             .map_err(|source| RunError::Folder { path: arguments.out.clone(), source })?;
+        space::check(&plans, arguments.formats(), &arguments.out)?;
     }
     Ok(plans)
 }

@@ -34,6 +34,10 @@ impl PreciseTaylor {
     pub const TOLERANCE: f64 = 1e-32;
     /// The longest step, s.
     const LONGEST_STEP: f64 = 1e100;
+    /// The longest step of a damped body that moves, in units of what is fastest: its series reaches no farther.
+    const LONGEST_RATIO: f64 = 16.0;
+    /// rad/s: a body damped to less than this stands still. Last terms of its series would be below the smallest number.
+    const REST: f64 = 1e-240;
 
     /// At t = 0.
     ///
@@ -81,15 +85,22 @@ impl PreciseTaylor {
     /// # Errors
     /// If the time goes back, the state ceases to be finite, or a step cannot be made small enough.
     pub fn at(&mut self, time: f64) -> Result<Option<PreciseState>, PropagationError> {
-        check_times(&[time], self.latest)?;
-        let wanted = DoubleDouble::from(time);
+        self.at_exactly(DoubleDouble::from(time))
+    }
+
+    /// The same at an instant between two f64.
+    ///
+    /// # Errors
+    /// As for [`Self::at`].
+    pub fn at_exactly(&mut self, wanted: DoubleDouble) -> Result<Option<PreciseState>, PropagationError> {
+        check_times(&[wanted.hi()], self.latest)?;
         while self.end < wanted {
             if self.effort.steps >= self.most_steps {
                 return Ok(None);
             }
             self.advance()?;
         }
-        self.latest = time;
+        self.latest = wanted.hi();
         let mut state = self.series.state((wanted - self.start).scale(1.0 / self.unit));
         state.normalise();
         Ok(Some(state))
@@ -119,7 +130,12 @@ impl PreciseTaylor {
         self.series.expand(&self.state, time, acting, self.unit, ORDER);
         self.start = time;
         self.effort.evaluations += 1;
-        let step = (self.unit * step_ratio(&self.series, self.tolerance)).min(Self::LONGEST_STEP);
+        let ratio = step_ratio(&self.series, self.tolerance);
+        let is_damped = acting.damping.iter().any(|rate| rate.hi() > 0.0);
+        let moves = largest(&self.series.rates, 0).max(largest(&self.series.rates, 1)) > 0.0;
+        // What is damped to all but rest has last terms below the smallest number, and they say nothing of the step.
+        let ratio = if is_damped && moves { ratio.min(Self::LONGEST_RATIO) } else { ratio };
+        let step = (self.unit * ratio).min(Self::LONGEST_STEP);
         let to_edge = if edge.is_finite() { DoubleDouble::from(edge) - time } else { DoubleDouble::from(edge) };
         let ends_on_edge = to_edge.hi() <= step;
         let step = if ends_on_edge { to_edge } else { DoubleDouble::from(step) };
@@ -130,6 +146,9 @@ impl PreciseTaylor {
         }
         if !ends_on_edge && time.hi() + step.hi() == time.hi() {
             return Err(PropagationError::StepTooSmall { time: time.hi(), step: step.hi() });
+        }
+        if is_damped && state.angular_velocity.iter().all(|rate| rate.hi().abs() < Self::REST) {
+            state.angular_velocity = [DoubleDouble::ZERO; 3];
         }
         self.state = state;
         self.end = if ends_on_edge { DoubleDouble::from(edge) } else { time + step };

@@ -73,10 +73,13 @@ fn scale(rows: &Rows) -> f64 {
     rows[0].largest(rows[1]).largest(rows[2]).magnitude()
 }
 
+/// Sizes below this count as this: rates that damping has all but ended must not be followed to the last denormal digit.
+const SMALLEST_SIZE: f64 = 1e-280;
+
 /// What makes coefficients relative to a size; 0 where there is none.
 #[inline(always)]
 fn shrink(size: f64) -> Row {
-    Row::splat(if size > 0.0 { 1.0 / size } else { 0.0 })
+    Row::splat(if size > 0.0 { 1.0 / size.max(SMALLEST_SIZE) } else { 0.0 })
 }
 
 /// The power of two at or below a positive number; 1 for what has none.

@@ -1,5 +1,5 @@
 use super::rules::{optional_vector, rotation, unused, vector};
-use super::{channels, loads, mass, path};
+use super::{channels, loads, mass, path, work};
 use crate::body::{AngularVelocity, Attitude, MassProperties, State};
 use crate::dynamics::Problem;
 use crate::scenario::watch::wants_translation;
@@ -38,6 +38,7 @@ fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: Stri
     let acting = loads::plan(key, spec, &properties)?;
     let is_pivoted = spec.pivot.is_some();
     let initial = initial(key, spec, &properties)?;
+    extent(key, spec, &properties, &initial)?;
     let moves = acting.moves || initial.velocity.norm() > 0.0;
     let mut problem = Problem {
         moments: properties.moments,
@@ -52,6 +53,7 @@ fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: Stri
     // What else is propagated bears on the steps, and a trial is to make those of the run.
     problem.wants_translation = wants_translation(moves, &recorded);
     let accuracy = path::accuracy(scenario, grid)?;
+    work::check(scenario, &problem, moves, grid.end())?;
     let (path, reason) = path::choose(scenario, &problem, moves, &accuracy)?;
     let body = PlannedBody {
         name,
@@ -67,6 +69,27 @@ fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: Stri
         certificate: None,
     };
     Ok(body.watching(&recorded))
+}
+
+/// Moments outside of this, kg m², and rates above it, rad/s, have squares and products that f64 cannot hold.
+const LEAST: f64 = 1e-60;
+const LARGEST: f64 = 1e60;
+
+/// Refuses bodies and rates that are beyond the numbers.
+fn extent(key: &Key, spec: &BodySpec, properties: &MassProperties, initial: &State) -> Result<(), Refusal> {
+    let moments = properties.moments.vector();
+    // A needle may have no moment about its axis at all.
+    if moments.max() > LARGEST || moments.max() < LEAST {
+        let rule = format!("the largest moment of inertia is {:e} kg m²: {LEAST:e} to {LARGEST:e}", moments.max());
+        return Err(key.refuse(rule));
+    }
+    let fastest = initial.angular_velocity.in_body().amax();
+    // Written so that NaN is refused too.
+    if fastest <= LARGEST {
+        return Ok(());
+    }
+    let given = if spec.angular_momentum_n_m_s.is_some() { "angular_momentum_n_m_s" } else { "angular_velocity_rad_s" };
+    Err(key.field(given).refuse(format_args!("makes {fastest:e} rad/s: at most {LARGEST:e}")))
 }
 
 /// The first state, in principal axes.

@@ -13,3 +13,6 @@ mod promise;
 mod rules;
 mod sampling;
 mod solids;
+mod work;
+
+pub(crate) use promise::nudged;

@@ -123,7 +123,7 @@ fn kept(problem: &Problem, grid: &Grid, promise: f64, steppers: &[Stepper]) -> R
 }
 
 /// The closed form of a motion, if one is known, and why it is one. It must hold whichever channels are watched.
-fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str)> {
+pub fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str)> {
     if problem.loads.is_empty() {
         return Some((Path::ClosedForm, "no torque acts, so the motion is known in closed form"));
     }
@@ -154,7 +154,7 @@ fn with_fixed_step(scenario: &Scenario, is_free: bool, method: FixedStepMethod) 
 }
 
 /// The method with a fixed step of that name, if it is one.
-const fn fixed_step(method: Method) -> Option<FixedStepMethod> {
+pub const fn fixed_step(method: Method) -> Option<FixedStepMethod> {
     Some(match method {
         Method::Auto | Method::ClosedForm | Method::Taylor | Method::Dop853 => return None,
         Method::EulerNaive => FixedStepMethod::EulerNaive,

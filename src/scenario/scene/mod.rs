@@ -8,6 +8,6 @@ mod solids;
 
 pub use body::{BodySpec, MeshSpec, ParticleSpec, PivotSpec};
 pub use checks::{Checks, DriftSpec, FlipPeriodSpec, Frame, PrecessionRateSpec, ValueSpec};
-pub use loads::{DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
+pub use loads::{BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

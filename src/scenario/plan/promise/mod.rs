@@ -6,4 +6,5 @@ mod search;
 mod trials;
 
 pub use keep::{Kept, keep};
+pub use nudge::nudged;
 pub use search::Stepper;

@@ -1,0 +1,93 @@
+//! What docs/reliability.md states as limits: at them a scene is planned, beyond them it is refused.
+
+use polhode::scenario::{BodySpec, Method, MomentSpec, Plan, Scenario, ScenarioError, TorqueSpecs};
+
+fn body(name: String, moments: [f64; 3], rates: [f64; 3]) -> BodySpec {
+    BodySpec {
+        name,
+        principal_moments_kg_m2: Some(moments),
+        angular_velocity_rad_s: Some(rates),
+        ..BodySpec::default()
+    }
+}
+
+fn scene(duration: f64, every: f64, moments: [f64; 3], rates: [f64; 3]) -> Scenario {
+    Scenario {
+        duration_s: Some(duration),
+        sample_every_s: Some(every),
+        body: vec![body(String::new(), moments, rates)],
+        ..Scenario::default()
+    }
+}
+
+const MOMENTS: [f64; 3] = [1.0, 2.0, 2.5];
+const RATES: [f64; 3] = [0.1, 2.0, 0.3];
+
+/// What planning refuses, in words.
+fn refusal(scenario: &Scenario) -> String {
+    match Plan::new(scenario) {
+        Err(error @ ScenarioError::Refused(_)) => error.to_string(),
+        Err(error) => panic!("{error} is no refusal"),
+        Ok(_) => panic!("it is planned"),
+    }
+}
+
+#[test]
+fn the_longest_run_and_the_most_samples() {
+    Plan::new(&scene(9e9, 10.0, MOMENTS, RATES)).expect("9e9 s");
+    assert!(refusal(&scene(9.1e9, 10.0, MOMENTS, RATES)).contains("longest run"));
+    Plan::new(&scene(0.999, 1e-9, MOMENTS, RATES)).expect("samples a nanosecond apart");
+    assert!(refusal(&scene(1.0, 0.9e-9, MOMENTS, RATES)).contains("whole nanoseconds"));
+    assert!(refusal(&scene(1e9, 0.9, MOMENTS, RATES)).contains("samples: at most 1000000000"));
+}
+
+#[test]
+fn rates_from_nothing_to_the_most_turns() {
+    for rate in [0.0, 5e-324, 1e-200, 1e-9, 1e5] {
+        Plan::new(&scene(9e9, 1e9, MOMENTS, [rate; 3])).expect("any rate that leaves a phase");
+    }
+    let last = std::f64::consts::TAU * 0.99e15 / 9e9;
+    Plan::new(&scene(9e9, 1e9, MOMENTS, [0.0, last, 0.0])).expect("0.99e15 turns");
+    assert!(refusal(&scene(9e9, 1e9, MOMENTS, [0.0, 1.02 * last, 0.0])).contains("turns: at most 1e15"));
+    assert!(refusal(&scene(1e-9, 1e-9, MOMENTS, [0.0, 1.1e60, 0.0])).contains("rad/s: at most 1e60"));
+}
+
+#[test]
+fn moments_from_the_least_to_the_largest() {
+    for size in [1e-60, 1e-12, 1e12, 4e59] {
+        let plan = Plan::new(&scene(10.0, 0.1, MOMENTS.map(|moment| moment * size), RATES)).expect("a body");
+        let mut run = plan.start().expect("a run");
+        let samples = run.next_batch().expect("a finite motion").expect("samples");
+        assert!(samples.bodies[0].columns().iter().flatten().all(|value| value.is_finite()), "of {size:e} kg m²");
+    }
+    for size in [1e-61, 1e60, 1e-310, 1e300] {
+        assert!(refusal(&scene(10.0, 0.1, MOMENTS.map(|moment| moment * size), RATES)).contains("1e-60 to 1e60"));
+    }
+}
+
+#[test]
+fn the_most_steps() {
+    let by_steps = |step| Scenario { method: Method::Rk4, step_s: Some(step), ..scene(1e6, 10.0, MOMENTS, RATES) };
+    Plan::new(&by_steps(1.01e-5)).expect("less than 1e11 steps");
+    assert!(refusal(&by_steps(0.99e-5)).contains("at most 1e11"));
+    let mut driven = scene(1.0, 0.1, MOMENTS, RATES);
+    for (moment, is_possible) in [(1e9, true), (1e40, false), (1e300, false)] {
+        let moment = MomentSpec { moment_n_m: [moment, 0.0, 1.0], start_s: None, end_s: None };
+        driven.body[0].torque = TorqueSpecs { constant_body: vec![moment], ..TorqueSpecs::default() };
+        if is_possible {
+            Plan::new(&driven).expect("hours at most");
+        } else {
+            assert!(refusal(&driven).contains("at most 1e11"));
+        }
+    }
+}
+
+/// There is no limit to the number of bodies but memory and patience: a thousand are no matter.
+#[test]
+fn a_thousand_bodies() {
+    let bodies = (0..1000).map(|number| body(format!("body_{number}"), MOMENTS, RATES)).collect();
+    let plan = Plan::new(&Scenario { body: bodies, ..scene(1.0, 0.1, MOMENTS, RATES) }).expect("a scene");
+    let mut run = plan.start().expect("a run");
+    let samples = run.next_batch().expect("a finite motion").expect("samples");
+    assert_eq!((samples.bodies.len(), samples.len()), (1000, 11));
+}
