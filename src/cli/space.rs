@@ -81,7 +81,8 @@ mod tests {
             let path = folder.path().join(format!("run.{}", format.extension()));
             let subject = Subject::of(&plan);
             let mut recorder =
-                Recorder::begin(&subject, Recorder::claim(&[path.clone()], false).expect("a free name")).expect("room");
+                Recorder::begin(&subject, Recorder::claim(std::slice::from_ref(&path), false).expect("a free name"))
+                    .expect("room");
             let mut run = plan.start().expect("a run");
             while let Some(samples) = run.next_batch().expect("a motion") {
                 recorder.write(samples).expect("room");

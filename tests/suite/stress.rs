@@ -34,13 +34,13 @@ fn auto_is_never_wrong_and_every_cell_is_as_documented() {
     assert!(differing.is_empty(), "now, and in docs/stability.md:\n{differing:#?}");
 }
 
-/// Long spans and many steps are for `polhode stress --full`; its matrix must at least have every case.
+/// Long spans and many steps are for `polhode stress --full`; its matrix must at least have every case but that of 1e8 steps.
 #[test]
 fn the_full_matrix_has_every_case_and_nothing_that_must_not_be() {
     let text = fs::read_to_string(document()).expect("docs/stability.md is there");
     let (_, full) = text.split_once(FULL).expect("a full matrix");
     let (full, _) = full.split_once("```").expect("its end");
-    for case in cases() {
+    for case in cases().into_iter().filter(|case| case.pace.is_none()) {
         let prefix = format!("{} ", case.key);
         let line = full.lines().find(|line| line.starts_with(&prefix));
         let line = line.unwrap_or_else(|| panic!("{} is not in it: polhode stress --full", case.key));
@@ -114,8 +114,8 @@ fn quick() -> Vec<Row> {
 /// As the program prints it.
 fn line(row: &Row) -> String {
     let widest = cases().iter().filter(|case| case.depth == Depth::Quick).map(|case| case.key.len()).max().unwrap_or(0);
-    let cells: String = row.cells.iter().map(|cell| format!("{:>3}", cell.sign())).collect();
-    format!("{:widest$} {cells}\n", row.case.key)
+    let cells: Vec<_> = row.cells.iter().map(|cell| format!("{:>3}", cell.sign())).collect();
+    format!("{:widest$} {}\n", row.case.key, cells.concat())
 }
 
 fn document() -> PathBuf {
@@ -129,7 +129,7 @@ fn documented(found: &str) -> String {
     let (matrix, after) = rest.split_once(END).expect("its end");
     let heading = matrix.lines().next().unwrap_or_default();
     if std::env::var_os("POLHODE_BLESS").is_none() {
-        return matrix.lines().skip(1).map(|line| format!("{line}\n")).collect();
+        return matrix.split_inclusive('\n').skip(1).collect();
     }
     let text = format!("{before}{BEGIN}{heading}\n{found}{END}{after}");
     fs::write(document(), text).expect("docs/stability.md can be written");

@@ -104,30 +104,55 @@ fn cell(case: &Case, method: Method, depth: Depth, truth: Result<&Truth, &Refusa
         return none(Verdict::TooLong, None);
     }
     let mut trials = Vec::new();
-    for value in values {
+    for Attempt { value, stride } in values {
         match planned(case, method, value) {
-            Ok(body) => trials.push(Trial::run(&body, value, truth, most_steps(case, depth))),
+            Ok(body) => trials.push(Trial::run(&body, value, truth, (stride, most_steps(case, depth)))),
             Err(refusal) => return none(Verdict::Refused, Some(refusal)),
         }
     }
     let promises: Vec<Trial> = if method == Method::Auto { promised(case, depth, truth) } else { Vec::new() };
-    let broken = promises.iter().any(|trial| !trial.is_sound() || !(trial.error_rad <= trial.limit_rad));
+    let broken =
+        promises.iter().any(|trial| !trial.is_sound() || trial.error_rad.is_nan() || trial.error_rad > trial.limit_rad);
     let verdict = if broken { Verdict::Wrong } else { verdict(method, &trials) };
     trials.extend(promises);
     Cell { method, verdict, trials, refusal: None }
 }
 
+/// A setting, and how many of the truth's times it goes on by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Attempt {
+    value: Option<f64>,
+    stride: usize,
+}
+
+impl Attempt {
+    const fn at_each_time(value: Option<f64>) -> Self {
+        Self { value, stride: 1 }
+    }
+
+    /// The step near `wanted`, s, of which a whole number makes the way to the next of the times compared, or that makes
+    /// the way past a whole number of them.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most the number of times")]
+    fn of_step(wanted: f64, interval: f64) -> Self {
+        if wanted > interval {
+            let stride = (wanted / interval).round();
+            return Self { value: Some(stride * interval), stride: stride as usize };
+        }
+        Self::at_each_time(Some(interval / (interval / wanted).ceil()))
+    }
+}
+
 /// Settings to try, from coarse to fine, as far as they do not take too long.
-fn values(case: &Case, method: Method, depth: Depth, truth: &Truth) -> Vec<Option<f64>> {
+fn values(case: &Case, method: Method, depth: Depth, truth: &Truth) -> Vec<Attempt> {
     let span = truth.times_s.last().copied().unwrap_or(0.0);
     let turn = if truth.fastest * span > 1.0 { std::f64::consts::TAU / truth.fastest } else { span };
     let most = exact(most_steps(case, depth));
     match method.setting() {
-        Setting::None => vec![None],
+        Setting::None => vec![Attempt::at_each_time(None)],
         Setting::Tolerance if span / turn * ADAPTIVE_PACE > most => Vec::new(),
         Setting::Tolerance => {
             let tolerances: &[f64] = if depth == Depth::Quick { &QUICK_TOLERANCES } else { &FULL_TOLERANCES };
-            tolerances.iter().copied().map(Some).chain([None]).collect()
+            tolerances.iter().copied().map(Some).chain([None]).map(Attempt::at_each_time).collect()
         }
         Setting::Step => {
             let paces: &[u32] = match (case.pace.as_ref(), depth) {
@@ -135,8 +160,11 @@ fn values(case: &Case, method: Method, depth: Depth, truth: &Truth) -> Vec<Optio
                 (None, Depth::Quick) => &QUICK_PACES,
                 (None, Depth::Full) => &FULL_PACES,
             };
-            let steps = paces.iter().map(|pace| turn / f64::from(*pace));
-            steps.filter(|step| span / step <= most).map(Some).collect()
+            let interval = truth.times_s.get(1).copied().unwrap_or(span);
+            let steps = paces.iter().map(|pace| turn / f64::from(*pace)).filter(|step| span / step <= most);
+            let mut attempts: Vec<Attempt> = steps.map(|step| Attempt::of_step(step, interval)).collect();
+            attempts.dedup();
+            attempts
         }
     }
 }
@@ -173,7 +201,7 @@ fn promised(case: &Case, depth: Depth, truth: &Truth) -> Vec<Trial> {
         steps.then_some((*promise, body))
     };
     let run = |(promise, body): (f64, PlannedBody)| {
-        let trial = Trial::run(&body, Some(promise), truth, most_steps(case, depth));
+        let trial = Trial::run(&body, Some(promise), truth, (1, most_steps(case, depth)));
         Trial { limit_rad: promise + truth.reference.doubt_rad, ..trial }
     };
     promises.iter().filter_map(body).map(run).collect()
@@ -185,15 +213,19 @@ fn verdict(method: Method, trials: &[Trial]) -> Verdict {
     }
     let Some(finest) = best(trials) else { return Verdict::TooLong };
     let is_bound = matches!(method, Method::Auto | Method::ClosedForm);
-    match &finest.ending {
-        Ending::TooLong => Verdict::TooLong,
-        Ending::Failed(_) | Ending::Silent if is_bound => Verdict::Wrong,
-        Ending::Failed(_) | Ending::Silent => Verdict::Lost,
-        Ending::Done if finest.limit_rad > Trial::LOST_RAD => Verdict::Chaotic,
-        Ending::Done if finest.error_rad <= finest.limit_rad => Verdict::Kept,
-        Ending::Done if is_bound => Verdict::Wrong,
-        Ending::Done if finest.error_rad <= Trial::LOST_RAD => Verdict::Coarse,
-        Ending::Done => Verdict::Lost,
+    let is_done = finest.ending == Ending::Done;
+    if finest.ending == Ending::TooLong {
+        Verdict::TooLong
+    } else if is_done && finest.limit_rad > Trial::LOST_RAD {
+        Verdict::Chaotic
+    } else if is_done && finest.error_rad <= finest.limit_rad {
+        Verdict::Kept
+    } else if is_bound {
+        Verdict::Wrong
+    } else if finest.follows() {
+        Verdict::Coarse
+    } else {
+        Verdict::Lost
     }
 }
 

@@ -103,7 +103,7 @@ fn tops() -> Vec<Case> {
         top("top_sleeping", "a sleeping top", 10.0, 0.0, [0.0, 0.0, 20.0], round),
         top("top_just_unstable", "upright and slow, 1e-6 rad off", 4.0, 1e-6, [0.0, 0.0, 8.0], round),
         top("top_homoclinic", "upright, slow, 1e-12 rad off", 20.0, 1e-12, [0.0, 0.0, 4.0], round),
-        top("top_hanging", "hanging at rest, almost", 10.0, 3.141_592, [0.0, 0.0, 1e-3], round),
+        top("top_hanging", "hanging at rest, almost", 10.0, std::f64::consts::PI - 6.5e-7, [0.0, 0.0, 1e-3], round),
         top("top_not_round", "moments unequal to 10 %: no closed form", 10.0, 0.5, [0.0, 0.0, 20.0], [1.0, 1.1, 0.5]),
         top("top_chaotic", "a heavy body that tumbles", 6.0, 2.0, [1.0, 2.0, 3.0], [1.0, 1.4, 0.5]),
     ]

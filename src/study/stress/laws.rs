@@ -23,7 +23,7 @@ pub(super) struct Laws<'a> {
     of_momentum: Watched,
     /// Largest | |q| − 1 |.
     pub norm: f64,
-    /// Largest component of RᵀR − 1.
+    /// Largest component of `RᵀR − 1`.
     pub orthogonality: f64,
     /// The last quaternion, and how often the next one was on the other side.
     last: Option<[f64; 4]>,

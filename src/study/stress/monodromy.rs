@@ -77,7 +77,7 @@ fn period(problem: &Problem, start: &PreciseTaylor, first: &PreciseState) -> Opt
             for _ in 0..ITERATIONS {
                 let state = before.clone().at_exactly(end).ok()??;
                 let short = first.angular_velocity[k] - state.angular_velocity[k];
-                end = end + short / DoubleDouble::from(change(&state)[k]);
+                end += short / DoubleDouble::from(change(&state)[k]);
                 if !(end.hi() > time - 2.0 * part && end.hi() < time + part) {
                     return None;
                 }

@@ -26,7 +26,7 @@ pub struct Trial {
     pub momentum: Option<Drift>,
     /// Largest difference of a quaternion's length from 1.
     pub norm_error: f64,
-    /// Largest component of RᵀR − 1.
+    /// Largest component of `RᵀR − 1`.
     pub orthogonality_error: f64,
     /// How often the quaternion's sign jumped between times less than a quarter of a turn apart; `None` where they are
     /// farther apart.
@@ -56,9 +56,9 @@ impl Trial {
     /// What a quaternion's length may differ from 1.
     pub const NORM: f64 = 1e-15;
 
-    /// Runs `body` past the times of `truth`, for `most_steps` at most, counted at those times.
+    /// Runs `body` past every `stride`-th of the times of `truth`, for `most_steps` at most, counted at those times.
     #[must_use]
-    pub fn run(body: &PlannedBody, value: Option<f64>, truth: &Truth, most_steps: u64) -> Self {
+    pub fn run(body: &PlannedBody, value: Option<f64>, truth: &Truth, (stride, most_steps): (usize, u64)) -> Self {
         let mut trial = Self {
             value,
             path: body.path,
@@ -76,18 +76,24 @@ impl Trial {
             shortest_step_s: None,
         };
         match body.propagator() {
-            Ok(propagator) => trial.follow(body, propagator, truth, most_steps),
+            Ok(propagator) => trial.follow(body, propagator, truth, (stride, most_steps)),
             Err(error) => trial.ending = Ending::Failed(error.to_string()),
         }
         trial.limit_rad = truth.limit_rad(body.path, trial.effort.steps);
         trial
     }
 
-    fn follow(&mut self, body: &PlannedBody, mut propagator: Box<dyn Propagator>, truth: &Truth, most_steps: u64) {
+    fn follow(
+        &mut self,
+        body: &PlannedBody,
+        mut propagator: Box<dyn Propagator>,
+        truth: &Truth,
+        (stride, most_steps): (usize, u64),
+    ) {
         let mut laws = Laws::new(&body.problem);
         let (mut states, mut before) = (States::default(), 0.0);
         self.lost_at_s = None;
-        for (row, time) in truth.times_s.iter().enumerate() {
+        for (row, time) in truth.times_s.iter().enumerate().step_by(stride) {
             let effort = propagator.effort();
             self.ending = match propagator.fill(&[*time], &mut states) {
                 Ok(()) if !is_finite(&states) => Ending::Silent,
@@ -107,7 +113,7 @@ impl Trial {
         }
         (self.energy, self.momentum) = (laws.energy(), laws.momentum());
         (self.norm_error, self.orthogonality_error) = (laws.norm, laws.orthogonality);
-        let apart = truth.times_s.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+        let apart = truth.times_s.windows(stride + 1).map(|times| times[stride] - times[0]).fold(0.0, f64::max);
         self.sign_jumps = (apart * truth.fastest < std::f64::consts::FRAC_PI_2).then_some(laws.sign_jumps);
     }
 

@@ -2,17 +2,19 @@ use std::io::IsTerminal;
 
 use super::execute::Matrix;
 use crate::scenario::Method;
-use crate::study::{Cell, Depth, Row, Verdict};
+use crate::study::{Cell, Depth, Ending, Row, Trial, Verdict};
 
 /// What each sign means, below the matrix.
 pub const LEGEND: &str = "\
-A number: how many digits of the attitude are right at the finest setting, −log₁₀ of the error in rad.
+A number: right digits of the attitude at the finest setting, −log₁₀ of the error in rad
   =  within its limit: as right as f64 and the motion allow, or as promised
   ~  follows the motion, but less exactly than f64 allows
   c  chaotic: the motion itself magnifies one rounding past 0.1 rad
   x  loses the motion (0.1 rad), or ends with an error on the way
-  !! what must never be given: beyond its promise, not finite without an error, not of unit length
-  –  refused before the run, with a reason       .  would take too many steps
+  !! must never be given: beyond its promise, not finite without an error,
+     not of unit length, or with a jump of the quaternion's sign
+  –  refused before the run, with a reason
+  .  would take too many steps
   ?  nothing to measure it by";
 
 /// Letters of one column: two to a method.
@@ -47,48 +49,33 @@ pub fn as_text(matrix: &Matrix) -> String {
     let colours = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
     let widest = matrix.rows.iter().map(|row| row.case.key.len()).max().unwrap_or(0);
     let depth = if matrix.depth == Depth::Quick { "quick" } else { "full" };
-    let mut text = format!("{depth:widest$} ");
-    for method in &matrix.methods {
-        text.push_str(&format!(" {:>2}", short(*method)));
-    }
-    text.push('\n');
-    for row in &matrix.rows {
-        text.push_str(&line(row, widest, colours));
-    }
+    let heads = matrix.methods.iter().map(|method| short(*method)).collect::<Vec<_>>().join(" ");
+    let rows: String = matrix.rows.iter().map(|row| line(row, widest, colours)).collect();
     let names = matrix.methods.iter().map(|method| format!("{} {}", short(*method), method.key()));
-    text.push_str(&format!("\n{LEGEND}\n{}\n", wrapped(names)));
+    let words = [format!("{depth:widest$}  {heads}\n{rows}"), LEGEND.to_owned(), wrapped(names), summary(matrix)];
+    let remarks = matrix.rows.iter().flat_map(|row| row.cells.iter().filter_map(|cell| remark(row, cell)));
+    format!("{}\n{}", words.join("\n"), remarks.collect::<String>())
+}
+
+/// How many of what.
+fn summary(matrix: &Matrix) -> String {
     let cells = || matrix.rows.iter().flat_map(|row| &row.cells);
     let count = |verdict: Verdict| cells().filter(|cell| cell.verdict == verdict).count();
     let runs: usize = cells().map(|cell| cell.trials.len()).sum();
-    text.push_str(&format!(
-        "{} cells, {runs} runs: {} within their limits, {} coarse, {} lost, {} wrong\n",
-        cells().count(),
-        count(Verdict::Kept),
-        count(Verdict::Coarse),
-        count(Verdict::Lost),
-        count(Verdict::Wrong),
-    ));
-    for row in &matrix.rows {
-        for cell in row.cells.iter().filter(|cell| cell.verdict == Verdict::Wrong || cell.method == Method::Auto) {
-            if let Some(reason) = remark(row, cell) {
-                text.push_str(&format!("{}, {}: {reason}\n", row.case.key, cell.method.key()));
-            }
-        }
-    }
-    text
+    let [kept, coarse, lost, wrong] = [Verdict::Kept, Verdict::Coarse, Verdict::Lost, Verdict::Wrong].map(count);
+    let cells = cells().count();
+    format!("{cells} cells, {runs} runs: {kept} within their limits, {coarse} coarse, {lost} lost, {wrong} wrong")
 }
 
 fn line(row: &Row, widest: usize, colours: bool) -> String {
-    let mut text = format!("{:widest$} ", row.case.key);
-    for cell in &row.cells {
+    let cell = |cell: &Cell| {
         let sign = format!("{:>3}", cell.sign());
         match colour(cell.verdict).filter(|_| colours) {
-            Some(colour) => text.push_str(&format!("\x1b[{colour}m{sign}\x1b[0m")),
-            None => text.push_str(&sign),
+            Some(colour) => format!("\x1b[{colour}m{sign}\x1b[0m"),
+            None => sign,
         }
-    }
-    text.push('\n');
-    text
+    };
+    format!("{:widest$} {}\n", row.case.key, row.cells.iter().map(cell).collect::<String>())
 }
 
 /// As terminals number colours.
@@ -102,28 +89,30 @@ const fn colour(verdict: Verdict) -> Option<&'static str> {
     }
 }
 
-/// Why a cell is refused or wrong.
+/// Why a cell is wrong, or refused by `auto`: a line of its own.
 fn remark(row: &Row, cell: &Cell) -> Option<String> {
-    match cell.verdict {
-        Verdict::Refused | Verdict::Unjudged => cell.refusal.clone(),
-        Verdict::Wrong => Some(cell.refusal.clone().unwrap_or_else(|| {
-            let worst = cell.trials.iter().map(|trial| {
-                format!(
-                    "{}: {:.1e} rad off, limit {:.1e}, length {:.0e}, {:?} jumps, {:?}",
-                    trial.path.name(),
-                    trial.error_rad,
-                    trial.limit_rad,
-                    trial.norm_error,
-                    trial.sign_jumps,
-                    trial.ending
-                )
-            });
-            let truth =
-                row.truth.as_ref().map_or(String::new(), |truth| format!("reference: {}; ", truth.reference.method));
-            truth + &worst.collect::<Vec<_>>().join("; ")
-        })),
-        _ => None,
-    }
+    let reason = match (cell.verdict, cell.method) {
+        (Verdict::Wrong, _) => cell.refusal.clone().unwrap_or_else(|| faults(cell)),
+        (Verdict::Refused | Verdict::Unjudged, Method::Auto) => cell.refusal.clone()?,
+        _ => return None,
+    };
+    let reason = reason.trim_start_matches(": ").lines().next().unwrap_or_default().to_owned();
+    Some(format!("{}, {}: {reason}\n", row.case.key, cell.method.key()))
+}
+
+fn faults(cell: &Cell) -> String {
+    let fault = |trial: &Trial| {
+        let Trial { error_rad, limit_rad, norm_error, .. } = trial;
+        let jumps = trial.sign_jumps.unwrap_or(0);
+        let ending = match &trial.ending {
+            Ending::Done => "done",
+            Ending::Failed(error) => error,
+            Ending::Silent => "not finite",
+            Ending::TooLong => "too long",
+        };
+        format!("{error_rad:.1e} rad off, limit {limit_rad:.1e}; length {norm_error:.0e} off; {jumps} jumps; {ending}")
+    };
+    cell.trials.iter().map(fault).collect::<Vec<_>>().join(" | ")
 }
 
 /// Words on lines of at most 80 letters.
