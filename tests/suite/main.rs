@@ -9,6 +9,8 @@ mod cli;
 mod cli_compare;
 #[cfg(feature = "cli")]
 mod cli_files;
+#[cfg(feature = "cli")]
+mod cli_stress;
 mod closed_torques;
 mod compare;
 #[cfg(feature = "cli")]
