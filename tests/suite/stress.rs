@@ -159,3 +159,24 @@ fn is_like(one: &str, other: &str) -> bool {
         _ => one == other,
     }
 }
+
+/// Gauss's methods carry |q| unforced: over many coarse steps it goes astray, and must not be recorded like that.
+#[test]
+fn samples_of_long_runs_are_of_unit_length() {
+    let case = Case { pace: Some(4), ..case("tumbling_1000") };
+    let row = stress(&case, &[Method::Gauss4, Method::Gauss6], Depth::Quick);
+    for cell in &row.cells {
+        let trial = cell.best().expect("a run");
+        assert!(trial.effort.steps > 4000 && trial.norm_error <= Trial::NORM, "{:e}", trial.norm_error);
+    }
+}
+
+/// RK4 on a brake a hundred times too stiff for its step: everything grows until |q|² overflows, and then there is an error.
+#[test]
+fn runs_that_explode_end_with_an_error() {
+    let case = Case { pace: Some(4), ..case("brake_hard") };
+    let row = stress(&case, &[Method::Rk4, Method::EulerNaive, Method::EulerSemiImplicit], Depth::Quick);
+    for cell in &row.cells {
+        assert_eq!(cell.verdict, Verdict::Lost, "{:?}", cell.trials);
+    }
+}

@@ -1,7 +1,7 @@
 use super::equal_steps::EqualSteps;
 use super::{Coverage, FixedStepMethod, Scheme};
 use crate::dynamics::{Problem, TorqueModel};
-use crate::propagation::equations::{Equations, Values};
+use crate::propagation::equations::{ATTITUDE, Equations, Values, normalise};
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
@@ -76,7 +76,8 @@ impl FixedStep {
         for time in steps {
             self.time = time;
             let values = self.scheme.step(&mut self.equations, time, length, &self.values)?;
-            if values.iter().any(|value| !value.is_finite()) {
+            // A run that explodes may overflow in |q| alone, and leave a quaternion of no length.
+            if values.iter().any(|value| !value.is_finite()) || !(0.25..4.0).contains(&square_of_length(&values)) {
                 return Err(PropagationError::NotFinite { time });
             }
             self.values = values;
@@ -85,6 +86,22 @@ impl FixedStep {
         self.time = end;
         Ok(())
     }
+}
+
+/// What |q|² may differ from 1 by rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// With q of unit length: Gauss's methods carry its length unforced, which wanders by a rounding a step.
+fn unit(mut values: Values) -> Values {
+    if (square_of_length(&values) - 1.0).abs() > ROUNDING {
+        normalise(&mut values);
+    }
+    values
+}
+
+/// |q|².
+fn square_of_length(values: &Values) -> f64 {
+    values[ATTITUDE].iter().map(|component| component * component).sum()
 }
 
 impl Propagator for FixedStep {
@@ -97,7 +114,7 @@ impl Propagator for FixedStep {
                 self.equations.next_span();
             }
             self.step_to(time)?;
-            self.equations.write(&self.values, states, row);
+            self.equations.write(&unit(self.values), states, row);
         }
         Ok(())
     }
