@@ -261,11 +261,15 @@ impl Cell {
         }
     }
 
-    /// Digits of the attitude that are right at its best: 0 to 16.
+    /// Digits of the attitude that are right at its best, as far as the reference tells: 0 to 16.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within 0 to 16")]
     pub fn digits(&self) -> u32 {
-        let error = self.best().map_or(1.0, |trial| trial.error_rad);
+        // A reference rounded to f64 is in doubt by 2e-16 at least: that much is not told apart.
+        let told = |trial: &Trial| {
+            if trial.doubt_rad > 1e-15 { trial.error_rad.max(trial.doubt_rad) } else { trial.error_rad }
+        };
+        let error = self.best().map_or(1.0, told);
         (-libm::log10(error.max(1e-16))).floor().max(0.0) as u32
     }
 

@@ -14,6 +14,8 @@ pub struct Trial {
     pub ending: Ending,
     /// Largest angle from the true attitude, rad, as far as it ran; infinite if it ran nowhere.
     pub error_rad: f64,
+    /// Errors below this are not resolved, rad: the reference is in doubt by as much.
+    pub doubt_rad: f64,
     /// Largest difference in ω, relative to the largest ω.
     pub rates_error: f64,
     /// What it may be off if it is at full accuracy, rad: [`Truth::limit_rad`]; or what was asked of the whole run.
@@ -64,6 +66,7 @@ impl Trial {
             path: body.path,
             ending: Ending::Done,
             error_rad: f64::INFINITY,
+            doubt_rad: truth.reference.doubt_rad,
             rates_error: f64::INFINITY,
             limit_rad: 0.0,
             lost_at_s: Some(0.0),
