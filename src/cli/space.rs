@@ -54,7 +54,8 @@ fn estimate(plan: &Plan, formats: &[FileFormat]) -> u64 {
 /// Bytes that this program may still write.
 #[cfg(unix)]
 fn free(folder: &Path) -> Option<u64> {
-    let disk = rustix::fs::statvfs(folder).ok()?;
+    // What has no blocks at all, such as /proc, is no disk.
+    let disk = rustix::fs::statvfs(folder).ok().filter(|disk| disk.f_blocks > 0)?;
     Some(disk.f_bavail.saturating_mul(disk.f_frsize))
 }
 
@@ -107,5 +108,6 @@ mod tests {
     fn the_system_tells_what_is_free() {
         assert!(free(Path::new("/")).is_some());
         assert_eq!(free(Path::new("/there is no such folder")), None);
+        assert_eq!(free(Path::new("/proc")), None, "there is none, or it is no disk");
     }
 }

@@ -159,10 +159,10 @@ fn what_is_there_is_kept_until_forced() {
 #[test]
 fn a_run_into_the_name_of_one_that_goes_on_is_refused_even_by_force() {
     let folder = folder();
-    let mut first = start(folder.path(), &["scene.toml", "--duration", "1e5"]);
+    let mut first = start(folder.path(), &["scene.toml", "--duration", "1e4"]);
     let part = folder.path().join("out/scene.csv.part");
     while fs::metadata(&part).map_or(0, |file| file.len()) == 0 {
-        assert!(first.try_wait().expect("it is ours").is_none(), "a hundred million samples are not done yet");
+        assert!(first.try_wait().expect("it is ours").is_none(), "ten million samples are not done yet");
         std::thread::yield_now();
     }
     for flags in [&["scene.toml"][..], &["scene.toml", "--force"]] {
