@@ -4,7 +4,9 @@ use std::process::ExitCode;
 
 use super::Arguments;
 use super::args::Command;
-use super::commands::{bench, compare, convert, digest, golden, inspect, list, plan, plot, recover, report, run, stress, verify, view};
+use super::commands::{
+    bench, compare, convert, digest, golden, inspect, list, plan, plot, recover, report, run, stress, verify, view,
+};
 use super::output::remark;
 use crate::scenario::{Scenario, ScenarioError};
 
