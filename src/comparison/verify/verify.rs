@@ -48,7 +48,8 @@ pub const DEFAULT_TOLERANCE_RAD: f64 = 1e-3;
 ///
 /// Without a body only what attitude and ω say of each other is judged. With one, whose problem's first state is not
 /// looked at, ω, L and E are held to its torques from sample to sample, and attitudes to the exact motion through the
-/// first state, within `tolerance_rad`. Of a body on which nothing acts, the moment that the file records is taken to act. `time_resolution_s` is half a unit in the last place of the file's times.
+/// first state, within `tolerance_rad`. Of a body on which nothing acts, the moment that the file records is taken to act.
+/// `time_resolution_s` is half a unit in the last place of the file's times.
 ///
 /// # Errors
 /// If there is too little to look at, or the exact motion cannot be worked out.

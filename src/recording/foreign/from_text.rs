@@ -18,8 +18,8 @@ impl Mapping {
         toml::from_str(&text).map_err(refused)
     }
 
-    /// Reads a mapping from a line, with the keys of one body beside those of the file, between commas, with blanks between several columns:
-    /// `time=t, quaternion=qw qx qy qz, angular_velocity=wx wy wz, angular_velocity_axes=body`.
+    /// Reads a mapping from a line, with the keys of one body beside those of the file, between commas, with blanks between
+    /// several columns: `time=t, quaternion=qw qx qy qz, angular_velocity=wx wy wz, angular_velocity_axes=body`.
     ///
     /// # Errors
     /// Which key or value is none.
