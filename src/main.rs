@@ -2,8 +2,6 @@
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
 fn main() -> ExitCode {
-    polhode::cli::execute(polhode::cli::Arguments::parse())
+    polhode::cli::asked().map_or_else(|code| code, polhode::cli::execute)
 }

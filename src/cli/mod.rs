@@ -1,12 +1,14 @@
 //! The program: asks, shows, exits.
 //!
-//! Results go to stdout, progress and remarks to stderr. Exit codes: 0 done or same, 1 a check failed or recordings differ, 2 could not.
+//! Results go to stdout, progress and remarks to stderr. Exit codes: 0 done or same, 1 a check failed or recordings differ, 2 could not,
+//! 130 and 143 interrupted.
 
 mod args;
 mod commands;
 mod execute;
 mod folder;
 mod growth;
+mod interrupt;
 mod layout;
 mod output;
 mod progress;
@@ -16,4 +18,4 @@ mod space;
 mod table;
 
 pub use args::Arguments;
-pub use execute::execute;
+pub use execute::{asked, execute};

@@ -3,10 +3,11 @@ use std::path::Path;
 use thiserror::Error;
 
 use super::execute::scenario;
+use super::interrupt::{self, Signal};
 use crate::propagation::PropagationError;
 use crate::recording::{Conversion, Heading, Recording, RecordingError, Sampling, Subject};
 use crate::scenario::{Plan, ScenarioError};
-use crate::study::certify;
+use crate::study::certify_body;
 use crate::telemetry::{Channel, Samples};
 
 /// A motion to look at: a recording, or a scene that is run in memory.
@@ -47,6 +48,8 @@ pub enum SourceError {
     SetOfRecording(String),
     #[error("{0}: --certify is for a scene: a recording carries what was measured when it was made")]
     CertifyRecording(String),
+    #[error("{0}: interrupted: nothing is written")]
+    Interrupted(Signal),
     #[error("{0} is unfinished: `polhode recover` makes a whole recording of it")]
     Part(String),
 }
@@ -77,9 +80,9 @@ impl Source {
             Self::Scene(plan) => {
                 let mut plan = plan.checked().map_err(SourceError::Checks)?;
                 if is_certified {
-                    let certificates = certify(&plan).map_err(SourceError::Certificate)?;
-                    for (body, certificate) in plan.bodies.iter_mut().zip(certificates) {
-                        body.certificate = Some(certificate);
+                    for body in &mut plan.bodies {
+                        go_on()?;
+                        body.certificate = Some(certify_body(body, &plan.grid).map_err(SourceError::Certificate)?);
                     }
                 }
                 Ok(Self::Scene(Box::new(plan)))
@@ -140,18 +143,25 @@ impl Source {
             Self::Recording(_, path) => {
                 let mut recording = Recording::open(path)?;
                 while let Some(samples) = recording.next_batch()? {
+                    go_on()?;
                     take(samples);
                 }
             }
             Self::Scene(plan) => {
                 let mut run = plan.start()?;
                 while let Some(samples) = run.next_batch()? {
+                    go_on()?;
                     take(samples);
                 }
             }
         }
         Ok(())
     }
+}
+
+/// Refuses to go on if a signal has come.
+fn go_on() -> Result<(), SourceError> {
+    interrupt::signal().map_or(Ok(()), |signal| Err(SourceError::Interrupted(signal)))
 }
 
 /// The plan of a scene that records what it says, and `channels` besides.

@@ -1,14 +1,14 @@
 use std::path::Path;
 
 use super::format::{Format, is_part};
-use super::{Range, Recording, RecordingError, Survey, mcap_file, rerun_file};
+use super::{Interruption, Range, Recording, RecordingError, Survey, mcap_file, rerun_file};
 
 /// What is in a recording, for people: which parts, how many of each, over which time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contents {
     /// `mcap`, `rrd` or `csv`.
     pub format: &'static str,
-    /// Whether its end is there.
+    /// Whether its end is there, and all samples that it says were planned.
     pub is_whole: bool,
     /// Facts about the whole, as name and value.
     pub details: Vec<(String, String)>,
@@ -48,6 +48,7 @@ pub fn contents(path: &Path) -> Result<Contents, RecordingError> {
     if contents.entries.iter().any(Entry::holds_columns) {
         let survey = Survey::of(&mut Recording::open(path)?)?;
         contents.add_facts(&survey);
+        contents.add_interruption(&survey);
         contents.survey = Some(survey);
     }
     Ok(contents)
@@ -60,6 +61,21 @@ impl Contents {
             if !self.details.iter().any(|(known, _)| known == name) {
                 self.details.push((name.clone(), value.clone()));
             }
+        }
+    }
+}
+
+impl Contents {
+    /// Says of a recording that ends as a whole one does, and holds fewer samples than planned, that it is not.
+    fn add_interruption(&mut self, survey: &Survey) {
+        if !self.is_whole || survey.is_whole {
+            return;
+        }
+        self.is_whole = false;
+        let planned = survey.heading.planned_samples();
+        let end = Interruption { samples: survey.samples, planned, to_s: survey.sampling().to_s };
+        for (_, value) in self.details.iter_mut().filter(|(name, _)| name == "state") {
+            *value = format!("interrupted: {}", end.in_words());
         }
     }
 }

@@ -113,6 +113,12 @@ impl PartFile {
         &self.path
     }
 
+    /// The name it has until then.
+    #[must_use]
+    pub fn part(&self) -> &Path {
+        &self.part
+    }
+
     /// How many bytes were written to it.
     #[must_use]
     pub fn bytes(&self) -> u64 {
@@ -142,7 +148,20 @@ impl PartFile {
             self.rename_to_free_name()?;
         }
         self.published = true;
-        sync_folder(&self.path).map_err(|source| io_error("sync the folder of", &self.path, source))
+        let path = self.path.clone();
+        // Closed first: where no more files may be open, this makes room for the folder.
+        drop(self);
+        sync_folder(&path).map_err(|source| io_error("sync the folder of", &path, source))
+    }
+
+    /// Removes what was written: there is nothing in it that anybody would want.
+    ///
+    /// # Errors
+    /// If that fails.
+    pub fn discard(mut self) -> Result<(), RecordingError> {
+        // Not to be removed a second time: the name may be another's by then.
+        self.published = true;
+        fs::remove_file(&self.part).map_err(|source| io_error("remove", &self.part, source))
     }
 
     fn rename(&self) -> Result<(), RecordingError> {

@@ -120,10 +120,13 @@ impl Recording {
     }
 
     /// Whether the recording is whole: known once [`Self::next_batch`] has returned `None`, and never so of a `.part`
-    /// whose end is missing.
+    /// whose end is missing, or of what holds fewer samples than it says were planned, as that of an interrupted run does.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        self.state == State::Ended && self.source.is_whole()
+        // At the end, this is how many samples there were.
+        let read = self.samples.first_index;
+        let is_complete = self.heading.planned_samples().is_none_or(|planned| planned == read);
+        self.state == State::Ended && self.source.is_whole() && is_complete
     }
 
     fn check_times(&mut self) -> Result<(), RecordingError> {

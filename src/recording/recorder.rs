@@ -5,7 +5,7 @@ use super::format::Format;
 use super::mcap_file::McapFile;
 use super::picture::Picture;
 use super::rerun_file::RerunFile;
-use super::{PartFile, RecordingError, Sink, Subject};
+use super::{Interruption, PartFile, RecordingError, Sink, Subject};
 use crate::scenario::Plan;
 use crate::telemetry::Samples;
 
@@ -14,6 +14,8 @@ use crate::telemetry::Samples;
 /// Dropped before [`Self::finish`], it leaves `.part` files, readable as far as the run got.
 pub struct Recorder {
     sinks: Vec<Box<dyn Sink>>,
+    /// How far it has come.
+    reached: Interruption,
 }
 
 /// A recording that is whole, durable and stands under its name.
@@ -66,7 +68,9 @@ impl Recorder {
             })
         };
         let sinks = files.into_iter().map(open).collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { sinks })
+        let reached =
+            Interruption { samples: 0, planned: Some(subject.sampling.samples), to_s: subject.sampling.from_s };
+        Ok(Self { sinks, reached })
     }
 
     /// Adds one batch to every recording.
@@ -74,7 +78,26 @@ impl Recorder {
     /// # Errors
     /// If one of them cannot take it; the recorder is then of no further use.
     pub fn write(&mut self, samples: &Samples) -> Result<(), RecordingError> {
+        self.reached.samples += samples.len() as u64;
+        self.reached.to_s = samples.times_s.last().copied().unwrap_or(self.reached.to_s);
         self.sinks.iter_mut().try_for_each(|sink| sink.write(samples))
+    }
+
+    /// Ends every recording where it is, for a run that is stopped. None gets its name: each stays a `.part`, which is read
+    /// by its index, says that it is not the whole run, and is made one of what there is by [`recover`](super::recover).
+    /// Without a sample there is nothing to keep, and the parts are removed.
+    ///
+    /// # Errors
+    /// If one cannot be ended or brought to disk; the `.part` files then stay, readable as far as they go.
+    pub fn interrupt(self) -> Result<(Interruption, Vec<PathBuf>), RecordingError> {
+        let end = self.reached;
+        let mut files = self.sinks.into_iter().map(|sink| sink.interrupt(&end)).collect::<Result<Vec<_>, _>>()?;
+        if end.samples == 0 {
+            files.into_iter().try_for_each(PartFile::discard)?;
+            return Ok((end, Vec::new()));
+        }
+        files.iter_mut().try_for_each(PartFile::sync)?;
+        Ok((end, files.iter().map(|file| file.part().to_path_buf()).collect()))
     }
 
     /// Completes every recording, then gives each its name.

@@ -1,4 +1,4 @@
-use super::{PartFile, RecordingError};
+use super::{Interruption, PartFile, RecordingError};
 use crate::telemetry::Samples;
 
 /// A place that keeps samples.
@@ -15,4 +15,11 @@ pub trait Sink {
     /// # Errors
     /// If it cannot; the part file then stays, readable as far as it goes.
     fn finish(self: Box<Self>) -> Result<PartFile, RecordingError>;
+
+    /// Ends the recording of a run that was stopped, so that it is read by its index like a whole one, and says in it that
+    /// it is not (a `.csv` has no room for words). Hands back its file, which stays a `.part`.
+    ///
+    /// # Errors
+    /// As [`Self::finish`].
+    fn interrupt(self: Box<Self>, end: &Interruption) -> Result<PartFile, RecordingError>;
 }

@@ -19,7 +19,11 @@ pub fn certify(plan: &Plan) -> Result<Vec<Certificate>, PropagationError> {
     plan.bodies.iter().map(|body| certify_body(body, &plan.grid)).collect()
 }
 
-fn certify_body(body: &PlannedBody, grid: &Grid) -> Result<Certificate, PropagationError> {
+/// The same of one body, at the samples of `grid`.
+///
+/// # Errors
+/// As [`certify`].
+pub fn certify_body(body: &PlannedBody, grid: &Grid) -> Result<Certificate, PropagationError> {
     let mut indices = Grid::spread(grid.len(), MOST_SAMPLES);
     let exact_at = |indices: &[u64]| ExactMotion::at(&body.problem, indices.iter().map(|index| grid.time(*index)));
     let mut exact = exact_at(&indices)?;

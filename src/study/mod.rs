@@ -11,7 +11,7 @@ mod stress;
 mod timing;
 mod work_precision;
 
-pub use certificate::certify;
+pub use certificate::{certify, certify_body};
 pub use pareto::pareto_front;
 pub use reference::{Reference, reference_states};
 pub use stress::{Case, Cell, Depth, Drift, Ending, Row, Trial, Truth, Verdict, cases, stress};

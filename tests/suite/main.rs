@@ -44,6 +44,8 @@ mod hostile;
 mod killed_runs;
 mod lagrange_top;
 mod limits;
+#[cfg(all(feature = "cli", target_os = "linux"))]
+mod machine;
 #[cfg(feature = "mcap")]
 mod mcap_format;
 #[cfg(feature = "serde")]

@@ -53,7 +53,8 @@ Examples:
   polhode view recordings/dzhanibekov.rrd         opens the Rerun viewer on it (or on a scene)
 
 Exit codes: 0 done, 1 a check failed, a certified tolerance was missed, recordings differ or a rotation is wrong, 2 could not
-(usage, input, file).";
+(usage, input, file), 130 interrupted (Ctrl-C), 143 ended by SIGTERM, 129 by SIGHUP. The first signal lets a run end its
+recordings as readable .part files; the second ends the program at once.";
 
 /// Exact motions of rotating rigid bodies, recorded for Rerun and Foxglove.
 #[derive(Debug, Parser)]

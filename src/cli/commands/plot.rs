@@ -1,10 +1,9 @@
-use std::io::Write;
-
 use thiserror::Error;
 
 use crate::cli::args::PlotArguments;
-use crate::cli::execute::Outcome;
-use crate::cli::output::remark;
+use crate::cli::execute::{Outcome, ended};
+use crate::cli::interrupt::Patient;
+use crate::cli::output::{remark, write};
 use crate::cli::source::{Named, Source, SourceError};
 use crate::plot::{Format, Motion, PlotError, Request, Wanted, words};
 use crate::recording::{PartFile, RecordingError};
@@ -27,13 +26,8 @@ enum DrawError {
 
 /// Draws a recording or a scene.
 pub fn execute(arguments: &PlotArguments) -> Outcome {
-    match draw(arguments) {
-        Ok(()) => Outcome::Done,
-        Err(error) => {
-            remark(&format!("error: {error}"));
-            Outcome::Impossible
-        }
-    }
+    let _patient = Patient::new();
+    draw(arguments).map_or_else(|error| ended(&error), |()| Outcome::Done)
 }
 
 fn draw(arguments: &PlotArguments) -> Result<(), DrawError> {
@@ -66,12 +60,4 @@ fn draw(arguments: &PlotArguments) -> Result<(), DrawError> {
         &motion.draw(&source.title(), &words(&heading, sampling, source.plan().and_then(|plan| plan.tolerance_rad))),
     )?;
     Ok(write(file, &bytes)?)
-}
-
-/// A whole file of bytes under the name that was claimed.
-pub fn write(mut file: PartFile, bytes: &[u8]) -> Result<(), RecordingError> {
-    let path = file.path().to_path_buf();
-    file.write_all(bytes).map_err(|source| RecordingError::Io { attempt: "write", path, source })?;
-    file.sync()?;
-    file.publish()
 }

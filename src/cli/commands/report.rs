@@ -2,10 +2,10 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::plot::write;
 use crate::cli::args::ReportArguments;
-use crate::cli::execute::Outcome;
-use crate::cli::output::remark;
+use crate::cli::execute::{Outcome, ended};
+use crate::cli::interrupt::Patient;
+use crate::cli::output::{remark, write};
 use crate::cli::source::{Named, Source, SourceError};
 use crate::plot::{Motion, Page, PlotError, Request};
 use crate::recording::{PartFile, RecordingError};
@@ -25,10 +25,8 @@ enum ReportError {
 
 /// Makes one page of a recording or a scene.
 pub fn execute(arguments: &ReportArguments) -> Outcome {
-    report(arguments).unwrap_or_else(|error| {
-        remark(&format!("error: {error}"));
-        Outcome::Impossible
-    })
+    let _patient = Patient::new();
+    report(arguments).unwrap_or_else(|error| ended(&error))
 }
 
 fn report(arguments: &ReportArguments) -> Result<Outcome, ReportError> {

@@ -8,6 +8,7 @@ use thiserror::Error;
 
 use crate::cli::args::{FileFormat, RunArguments};
 use crate::cli::execute::{Outcome, scenario};
+use crate::cli::interrupt::{self, Patient, Signal};
 use crate::cli::layout;
 use crate::cli::output::{print, print_json, remark};
 use crate::cli::progress::Progress;
@@ -16,9 +17,9 @@ use crate::cli::space::{self, NoRoom};
 use crate::propagation::PropagationError;
 use crate::recording::live::LiveViewer;
 use crate::recording::picture::Picture;
-use crate::recording::{PartFile, Recorder, RecordingError, Subject};
+use crate::recording::{Interruption, PartFile, Recorder, RecordingError, Subject};
 use crate::scenario::{Plan, ScenarioError, library};
-use crate::study::certify;
+use crate::study::certify_body;
 
 /// Why a scene was not run to its end.
 #[derive(Debug, Error)]
@@ -35,6 +36,13 @@ enum RunError {
     Folder { path: PathBuf, source: io::Error },
     #[error(transparent)]
     NoRoom(#[from] NoRoom),
+    #[error("{signal}: {words}", words = stopped(*end, parts))]
+    Interrupted {
+        signal: Signal,
+        /// How far it was recorded, if it had begun.
+        end: Option<Interruption>,
+        parts: Vec<PathBuf>,
+    },
     #[error("two scenes are called {0:?}: their recordings would have one name")]
     SameName(String),
 }
@@ -45,6 +53,7 @@ pub fn execute(arguments: &RunArguments) -> io::Result<Outcome> {
         Ok(plans) => plans,
         Err(error) => return Ok(impossible(&error)),
     };
+    let _patient = Patient::new();
     let progress = Progress::new(!arguments.quiet && !arguments.json);
     let record = |plan: Plan| (plan.name.clone(), record(plan, arguments, &progress));
     let results: Vec<_> = plans.into_par_iter().map(record).collect();
@@ -65,6 +74,18 @@ pub fn execute(arguments: &RunArguments) -> io::Result<Outcome> {
                 for check in report.plan.outcomes.iter().filter(|check| !check.passed) {
                     remark(&format!("{}: check failed: {}", report.plan.name, check.name));
                 }
+            }
+            Err(RunError::Interrupted { signal, end, parts }) => {
+                outcome = Outcome::Interrupted(signal);
+                let words = stopped(end, &parts);
+                remark(&format!("{name}: {signal}: {words}"));
+                values.push(json!({
+                    "name": name,
+                    "interrupted": words,
+                    "samples": end.map(|end| end.samples),
+                    "to_s": end.map(|end| end.to_s),
+                    "parts": parts.iter().map(|part| part.display().to_string()).collect::<Vec<_>>(),
+                }));
             }
             Err(error) => {
                 outcome = outcome.max(impossible(&error));
@@ -106,15 +127,17 @@ fn plans(arguments: &RunArguments) -> Result<Vec<Plan>, RunError> {
 
 /// Names are claimed first: one that is taken must not cost the time of checks and certificates.
 fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<Report, RunError> {
+    go_on()?;
     let layout = layout_file(&plan, arguments)?;
     let path = |format: &FileFormat| arguments.out.join(format!("{}.{}", plan.name, format.extension()));
     let paths: Vec<PathBuf> = arguments.formats().iter().map(path).collect();
     let files = Recorder::claim(&paths, arguments.force)?;
     let mut plan = plan.checked()?;
+    go_on()?;
     if arguments.certify {
-        let certificates = certify(&plan).map_err(RunError::Certificate)?;
-        for (body, certificate) in plan.bodies.iter_mut().zip(certificates) {
-            body.certificate = Some(certificate);
+        for body in &mut plan.bodies {
+            body.certificate = Some(certify_body(body, &plan.grid).map_err(RunError::Certificate)?);
+            go_on()?;
         }
     }
     let started = Instant::now();
@@ -129,6 +152,12 @@ fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<R
         recorder.write(samples)?;
         viewer.as_mut().map_or(Ok(()), |viewer| viewer.write(samples))?;
         bar.inc(samples.len() as u64);
+        // After the last batch the run is as good as done.
+        if let Some(signal) = interrupt::signal().filter(|_| run.fraction() < 1.0) {
+            bar.finish_and_clear();
+            let (end, parts) = recorder.interrupt()?;
+            return Err(RunError::Interrupted { signal, end: Some(end), parts });
+        }
     }
     let effort = run.effort();
     let files = recorder.finish()?;
@@ -140,6 +169,21 @@ fn record(plan: Plan, arguments: &RunArguments, progress: &Progress) -> Result<R
     let wall = started.elapsed();
     drop(run);
     Ok(Report { plan, files, effort, wall })
+}
+
+/// Refuses to begin what comes next if a signal has come.
+fn go_on() -> Result<(), RunError> {
+    match interrupt::signal() {
+        Some(signal) => Err(RunError::Interrupted { signal, end: None, parts: Vec::new() }),
+        None => Ok(()),
+    }
+}
+
+/// What there is of a run that was stopped, in words.
+fn stopped(end: Option<Interruption>, parts: &[PathBuf]) -> String {
+    let Some(end) = end.filter(|_| !parts.is_empty()) else { return "interrupted: nothing is recorded".to_owned() };
+    let names: Vec<_> = parts.iter().map(|part| part.display().to_string()).collect();
+    format!("interrupted: {} in {}; `polhode recover` makes a recording of each", end.in_words(), names.join(", "))
 }
 
 /// The layout beside an `.mcap`, made before anything is written so that a name that is taken leaves nothing behind.

@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use super::fit::{RECOVERED, check_values, fitted, tells_scene};
 use super::plain::{converted, plain};
 use super::scene;
-use super::shorten::what_was_kept;
 use crate::recording::picture::Picture;
 use crate::recording::recorder::draws;
-use crate::recording::{Finished, PartFile, Recorder, Recording, RecordingError, Subject, Survey, subject};
+use crate::recording::{
+    Finished, Interruption, PartFile, Recorder, Recording, RecordingError, Subject, Survey, subject,
+};
 use crate::scenario::Plan;
 
 /// A recording that is to be written anew, in any format: every channel to the bit.
@@ -77,7 +78,7 @@ impl Conversion {
             facts.extend(subject::conventions());
         }
         if planned != Some(kept) {
-            facts.insert(RECOVERED.into(), what_was_kept(kept, planned, to_s));
+            facts.insert(RECOVERED.into(), Interruption { samples: kept, planned, to_s }.in_words());
             facts.insert("samples".into(), kept.to_string());
             let identity = plan.as_ref().and_then(|plan| subject::sha256(&plan.identity));
             facts.extend(identity.map(|hash| ("identity_sha256".into(), hash)));

@@ -1,3 +1,4 @@
+use crate::recording::Interruption;
 use crate::scenario::{Grid, Plan};
 
 /// The same plan, ended after its first `kept` samples, as the recording of a run that was cut off holds them.
@@ -9,14 +10,8 @@ pub fn shortened(mut plan: Plan, kept: u64) -> Plan {
     }
     let end = plan.grid.end();
     plan.events.retain(|event| event.time_s <= end);
-    let what = what_was_kept(kept, Some(planned), end);
+    let what = Interruption { samples: kept, planned: Some(planned), to_s: end }.in_words();
     plan.identity = format!("{}\n{what}", plan.identity);
     plan.summary = format!("{}\n\nRecovered from a run that was cut off: {what}.", plan.summary);
     plan
-}
-
-/// How much of a run there is, in words.
-pub fn what_was_kept(kept: u64, planned: Option<u64>, end_s: f64) -> String {
-    let planned = planned.map_or_else(|| "an unknown number of".to_owned(), |planned| planned.to_string());
-    format!("the first {kept} of {planned} samples, to {end_s} s")
 }

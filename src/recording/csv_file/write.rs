@@ -1,7 +1,7 @@
 use std::io::{self, Write};
 
 use super::header::header;
-use crate::recording::{PartFile, RecordingError, Sink, Subject};
+use crate::recording::{Interruption, PartFile, RecordingError, Sink, Subject};
 use crate::telemetry::{BodySamples, Samples};
 
 /// A `.csv` in the making.
@@ -55,6 +55,10 @@ impl Sink for CsvFile {
     }
 
     fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
+        Ok(self.file)
+    }
+
+    fn interrupt(self: Box<Self>, _end: &Interruption) -> Result<PartFile, RecordingError> {
         Ok(self.file)
     }
 }

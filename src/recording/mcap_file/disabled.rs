@@ -2,7 +2,7 @@ use std::path::Path;
 
 use crate::recording::foreign::{Mapping, Observation};
 use crate::recording::recorded::Opened;
-use crate::recording::{Contents, PartFile, RecordingError, Sink, Subject};
+use crate::recording::{Contents, Interruption, PartFile, RecordingError, Sink, Subject};
 use crate::telemetry::Samples;
 
 /// The format that this build leaves out: there is no value of this type.
@@ -26,6 +26,10 @@ impl Sink for McapFile {
     }
 
     fn finish(self: Box<Self>) -> Result<PartFile, RecordingError> {
+        match *self {}
+    }
+
+    fn interrupt(self: Box<Self>, _end: &Interruption) -> Result<PartFile, RecordingError> {
         match *self {}
     }
 }

@@ -1,4 +1,3 @@
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -7,9 +6,11 @@ use thiserror::Error;
 
 use super::{clock, csv, plot, report};
 use crate::cli::args::BenchArguments;
-use crate::cli::execute::{Outcome, scenario};
-use crate::cli::output::{print, print_json, remark};
+use crate::cli::execute::{Outcome, ended, scenario};
+use crate::cli::interrupt::{self, Patient, Signal};
+use crate::cli::output::{print, print_json, write};
 use crate::plot::{Format, PlotError};
+use crate::recording::{PartFile, RecordingError};
 use crate::scenario::{Method, Plan, ScenarioError};
 use crate::study::{Request, WorkPrecision, work_precision};
 
@@ -18,12 +19,14 @@ use crate::study::{Request, WorkPrecision, work_precision};
 pub enum BenchError {
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
+    #[error("{0}: interrupted: nothing is told or written")]
+    Interrupted(Signal),
     #[error("--methods: {0:?} is no method: take {names}", names = names().join(", "))]
     UnknownMethod(String),
     #[error("--errors: {0:?} rad must be positive and at most π")]
     BadError(f64),
-    #[error("cannot write {path}: {source}")]
-    File { path: String, source: io::Error },
+    #[error(transparent)]
+    File(#[from] RecordingError),
     #[error("--csv: {0:?}: a table's name ends in .csv")]
     NoTable(String),
     #[error("--plot: {0}")]
@@ -35,21 +38,18 @@ pub type Studies = Vec<(String, Vec<WorkPrecision>)>;
 
 /// Measures scenes one after another, on one thread: what ran beside it would spoil its times.
 pub fn execute(arguments: &BenchArguments) -> io::Result<Outcome> {
+    let patient = Patient::new();
     let studies = match studies(arguments) {
         Ok(studies) => studies,
-        Err(error) => return Ok(impossible(&error)),
+        Err(error) => return Ok(ended(&error)),
     };
+    drop(patient);
     if arguments.json {
         print_json(&Value::Array(studies.iter().map(report::as_json).collect()))?;
     } else {
         print(&studies.iter().map(report::as_text).collect::<Vec<_>>().join("\n"))?;
     }
-    Ok(files(arguments, &studies).map_or_else(|error| impossible(&error), |()| Outcome::Done))
-}
-
-fn impossible(error: &BenchError) -> Outcome {
-    remark(&format!("error: {error}"));
-    Outcome::Impossible
+    Ok(files(arguments, &studies).map_or_else(|error| ended(&error), |()| Outcome::Done))
 }
 
 fn studies(arguments: &BenchArguments) -> Result<Studies, BenchError> {
@@ -61,8 +61,11 @@ fn studies(arguments: &BenchArguments) -> Result<Studies, BenchError> {
     let plan = |name: &String| Plan::new(&scenario(name, &assignments)?);
     let plans = arguments.scenes.iter().map(plan).collect::<Result<Vec<_>, _>>()?;
     let study = |plan: &Plan| {
-        let bodies = plan.bodies.iter().map(|body| work_precision(body, plan.grid.end(), &request));
-        Ok((plan.name.clone(), bodies.collect::<Result<Vec<_>, ScenarioError>>()?))
+        let body = |body| match interrupt::signal() {
+            Some(signal) => Err(BenchError::Interrupted(signal)),
+            None => Ok(work_precision(body, plan.grid.end(), &request)?),
+        };
+        Ok((plan.name.clone(), plan.bodies.iter().map(body).collect::<Result<Vec<_>, _>>()?))
     };
     plans.iter().map(study).collect()
 }
@@ -99,14 +102,10 @@ fn names() -> Vec<&'static str> {
 
 fn files(arguments: &BenchArguments, studies: &Studies) -> Result<(), BenchError> {
     if let Some(path) = &arguments.csv {
-        write(path, csv::table(studies).as_bytes())?;
+        write(PartFile::create(path, true)?, csv::table(studies).as_bytes())?;
     }
     for path in &arguments.plot {
-        write(path, &Format::of(path)?.bytes(&plot::draw(studies))?)?;
+        write(PartFile::create(path, true)?, &Format::of(path)?.bytes(&plot::draw(studies))?)?;
     }
     Ok(())
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<(), BenchError> {
-    fs::write(path, bytes).map_err(|source| BenchError::File { path: path.display().to_string(), source })
 }

@@ -1,4 +1,4 @@
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 use thiserror::Error;
@@ -7,7 +7,7 @@ use super::json::as_json;
 use super::text::as_text;
 use crate::cli::args::CompareArguments;
 use crate::cli::execute::{Outcome, scenario};
-use crate::cli::output::{print, print_json, remark};
+use crate::cli::output::{print, print_json, remark, write};
 use crate::comparison::{CompareError, Comparison, Finding, Report, Side, ToleranceError, Tolerances, channel_named};
 use crate::plot::{Format, PlotError, differences};
 use crate::recording::{Overlay, PartFile, RecordingError};
@@ -76,12 +76,8 @@ fn compare(arguments: &CompareArguments) -> Result<(Comparison, Report), Refusal
             report
         }
     };
-    if let Some((format, mut file)) = plot {
-        let path = file.path().to_path_buf();
-        let bytes = format.bytes(&differences(&report))?;
-        file.write_all(&bytes).map_err(|source| RecordingError::Io { attempt: "write", path, source })?;
-        file.sync()?;
-        file.publish()?;
+    if let Some((format, file)) = plot {
+        write(file, &format.bytes(&differences(&report))?)?;
     }
     Ok((comparison, report))
 }

@@ -9,6 +9,7 @@ use super::record::record;
 use super::values;
 use crate::cli::args::{FileFormat, GoldenArguments};
 use crate::cli::folder::TemporaryFolder;
+use crate::cli::interrupt;
 use crate::scenario::{Plan, library};
 
 /// What was found of a folder of goldens.
@@ -49,6 +50,9 @@ pub fn examine(arguments: &GoldenArguments) -> Result<Examination, GoldenError> 
     let fresh = TemporaryFolder::create("golden")?;
     let mut findings = Vec::new();
     for plan in &plans {
+        if let Some(signal) = interrupt::signal() {
+            return Err(GoldenError::Interrupted(signal));
+        }
         let names: Vec<_> = arguments.format.iter().map(|format| file_name(&plan.name, *format)).collect();
         record(plan, &names.iter().map(|name| fresh.path().join(name)).collect::<Vec<_>>())?;
         for name in &names {
@@ -97,7 +101,11 @@ fn plans(arguments: &GoldenArguments) -> Result<Vec<Plan>, GoldenError> {
 /// The TOML files of a folder, in alphabetical order.
 fn scenes_in(folder: &Path) -> Result<Vec<String>, GoldenError> {
     let is_scene = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "toml");
-    let scenes: Vec<_> = files(folder)?.into_iter().filter(is_scene).map(|path| path.display().to_string()).collect();
+    let name = |path: PathBuf| match path.to_str() {
+        Some(name) => Ok(name.to_owned()),
+        None => Err(GoldenError::NoText { path }),
+    };
+    let scenes = files(folder)?.into_iter().filter(is_scene).map(name).collect::<Result<Vec<_>, _>>()?;
     if scenes.is_empty() { Err(GoldenError::NoScenes { path: folder.into() }) } else { Ok(scenes) }
 }
 

@@ -3,18 +3,18 @@ use std::io;
 use super::examine::examine;
 use super::report::{as_json, as_text};
 use crate::cli::args::GoldenArguments;
-use crate::cli::execute::Outcome;
-use crate::cli::output::{print, print_json, remark};
+use crate::cli::execute::{Outcome, ended};
+use crate::cli::interrupt::Patient;
+use crate::cli::output::{print, print_json};
 
 /// Holds goldens to their scenes, or writes them.
 pub fn execute(arguments: &GoldenArguments) -> io::Result<Outcome> {
+    let patient = Patient::new();
     let examination = match examine(arguments) {
         Ok(examination) => examination,
-        Err(error) => {
-            remark(&format!("error: {error}"));
-            return Ok(Outcome::Impossible);
-        }
+        Err(error) => return Ok(ended(&error)),
     };
+    drop(patient);
     if arguments.json {
         print_json(&as_json(&examination, arguments))?;
     } else {

@@ -1,5 +1,4 @@
-use std::path::Path;
-use std::{fs, io};
+use std::io;
 
 use rayon::prelude::*;
 use serde_json::Value;
@@ -7,9 +6,11 @@ use thiserror::Error;
 
 use super::{json, matrix, plot};
 use crate::cli::args::StressArguments;
-use crate::cli::execute::Outcome;
-use crate::cli::output::{print, print_json, remark};
+use crate::cli::execute::{Outcome, ended};
+use crate::cli::interrupt::{self, Patient, Signal};
+use crate::cli::output::{print, print_json, write};
 use crate::plot::{Format, PlotError};
+use crate::recording::{PartFile, RecordingError};
 use crate::scenario::Method;
 use crate::study::{Case, Depth, Row, Verdict, cases, stress};
 
@@ -20,10 +21,12 @@ pub enum StressError {
     UnknownMethod(String),
     #[error("--cases: {0:?} is no case: take {cases}", cases = case_names())]
     UnknownCase(String),
+    #[error("{signal}: interrupted: of {all} cases, {done} were done")]
+    Interrupted { signal: Signal, done: usize, all: usize },
     #[error("--plot: {0}")]
     Plot(#[from] PlotError),
-    #[error("cannot write {path}: {source}")]
-    File { path: String, source: io::Error },
+    #[error(transparent)]
+    File(#[from] RecordingError),
 }
 
 /// What is run.
@@ -35,10 +38,12 @@ pub struct Matrix {
 
 /// Runs the cases side by side: nothing is timed.
 pub fn execute(arguments: &StressArguments) -> io::Result<Outcome> {
+    let patient = Patient::new();
     let matrix = match matrix(arguments) {
         Ok(matrix) => matrix,
-        Err(error) => return Ok(impossible(&error)),
+        Err(error) => return Ok(ended(&error)),
     };
+    drop(patient);
     if arguments.json {
         print_json(&Value::Array(matrix.rows.iter().map(json::row).collect()))?;
     } else {
@@ -47,12 +52,7 @@ pub fn execute(arguments: &StressArguments) -> io::Result<Outcome> {
     let cells = || matrix.rows.iter().flat_map(|row| &row.cells);
     let is_wrong = cells().any(|cell| cell.verdict == Verdict::Wrong);
     let outcome = if is_wrong { Outcome::Failed } else { Outcome::Done };
-    Ok(draw(arguments, &matrix).map_or_else(|error| impossible(&error), |()| outcome))
-}
-
-fn impossible(error: &StressError) -> Outcome {
-    remark(&format!("error: {error}"));
-    Outcome::Impossible
+    Ok(draw(arguments, &matrix).map_or_else(|error| ended(&error), |()| outcome))
 }
 
 fn matrix(arguments: &StressArguments) -> Result<Matrix, StressError> {
@@ -67,7 +67,12 @@ fn matrix(arguments: &StressArguments) -> Result<Matrix, StressError> {
     }
     let cases = chosen(arguments, depth)?;
     arguments.plot.iter().try_for_each(|path| Format::of(path).map(|_| ()))?;
-    let rows = cases.par_iter().with_max_len(1).map(|case| stress(case, &methods, depth)).collect();
+    // After a signal no case is begun.
+    let row = |case| interrupt::signal().is_none().then(|| stress(case, &methods, depth));
+    let rows: Vec<Row> = cases.par_iter().with_max_len(1).filter_map(row).collect();
+    if let Some(signal) = interrupt::signal().filter(|_| rows.len() < cases.len()) {
+        return Err(StressError::Interrupted { signal, done: rows.len(), all: cases.len() });
+    }
     Ok(Matrix { depth, methods, rows })
 }
 
@@ -94,11 +99,7 @@ fn case_names() -> String {
 
 fn draw(arguments: &StressArguments, matrix: &Matrix) -> Result<(), StressError> {
     for path in &arguments.plot {
-        write(path, &Format::of(path)?.bytes(&plot::draw(matrix))?)?;
+        write(PartFile::create(path, true)?, &Format::of(path)?.bytes(&plot::draw(matrix))?)?;
     }
     Ok(())
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<(), StressError> {
-    fs::write(path, bytes).map_err(|source| StressError::File { path: path.display().to_string(), source })
 }

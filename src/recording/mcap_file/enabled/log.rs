@@ -5,7 +5,7 @@ use prost::Message;
 
 use super::container::{Output, Topic};
 use super::foxglove::{LOG, Log, Timestamp};
-use crate::recording::{RecordingError, Subject};
+use crate::recording::{Interruption, RecordingError, Subject};
 use crate::scenario::{Event, EventKind, Plan, nanoseconds};
 
 /// What happens in the run, in words, on `/log`.
@@ -35,6 +35,13 @@ impl EventLog {
             self.next = self.later.next();
         }
         Ok(())
+    }
+
+    /// Tells that the run was stopped, at the time of its last sample.
+    pub fn tell_interruption(&mut self, end: &Interruption, output: &mut Output) -> Result<(), RecordingError> {
+        let (stamp, mut log) = entry(nanoseconds(end.to_s), "run", &format!("interrupted: {}", end.in_words()));
+        log.level = Log::WARNING;
+        output.send(&mut self.topic, stamp, |bytes| log.encode_raw(bytes))
     }
 }
 

@@ -10,7 +10,7 @@ use super::scene::MovingScene;
 use super::state::{self, StateLayout, StateTimes};
 use super::surfaces::surfaces;
 use crate::recording::picture::Picture;
-use crate::recording::{PartFile, RecordedBody, RecordingError, Sink, Subject};
+use crate::recording::{Interruption, PartFile, RecordedBody, RecordingError, Sink, Subject};
 use crate::scenario::nanoseconds;
 use crate::telemetry::Samples;
 
@@ -79,6 +79,13 @@ impl Sink for McapFile {
 
     fn finish(mut self: Box<Self>) -> Result<PartFile, RecordingError> {
         self.log.tell_until(self.end_ns, &mut self.output)?;
+        self.output.finish()
+    }
+
+    fn interrupt(mut self: Box<Self>, end: &Interruption) -> Result<PartFile, RecordingError> {
+        self.log.tell_until(nanoseconds(end.to_s), &mut self.output)?;
+        self.log.tell_interruption(end, &mut self.output)?;
+        self.output.describe(&about::interruption(end))?;
         self.output.finish()
     }
 }

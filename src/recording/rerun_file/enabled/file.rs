@@ -1,6 +1,9 @@
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use re_sdk_types::archetypes::{TextDocument, TextLog};
+use re_sdk_types::components::TextLogLevel;
+
 use super::columns::{sim_time, timelines};
 use super::gathered::Gathered;
 use super::moving::Moving;
@@ -8,9 +11,12 @@ use super::plots::Plots;
 use super::scaled::Scaled;
 use super::stream::{Rows, Store, Stream};
 use super::{about, identity, layout, markers, plain, statics, words};
-use crate::recording::{PartFile, RecordingError, Sink, Subject};
+use crate::recording::{Interruption, PartFile, RecordingError, Sink, Subject};
 use crate::scenario::{Plan, nanoseconds};
 use crate::telemetry::Samples;
+
+/// Entity of the document that says that a run was stopped, and where.
+const INTERRUPTION: &str = "/interruption";
 
 /// An `.rrd` being written to a file.
 pub struct RerunFile {
@@ -96,6 +102,15 @@ impl<W: Write> RerunStream<W> {
         kept
     }
 
+    /// Tells that the run was stopped: in the log, at the time of the last sample, and once for all as a document.
+    fn tell_interruption(&mut self, end: &Interruption) -> Result<(), RecordingError> {
+        let words = format!("interrupted: {}", end.in_words());
+        let at_the_end = [sim_time(vec![nanoseconds(end.to_s)])];
+        let entry = TextLog::new(words.as_str()).with_level(TextLogLevel::WARN);
+        self.stream.once(self.store, "/log", &at_the_end, &entry)?;
+        self.stream.once(self.store, INTERRUPTION, &[], &TextDocument::new(words))
+    }
+
     /// Writes a chunk's worth of samples.
     fn keep(&mut self, samples: &Samples) -> Result<(), RecordingError> {
         if samples.is_empty() {
@@ -122,6 +137,13 @@ impl Sink for RerunFile {
     fn finish(mut self: Box<Self>) -> Result<PartFile, RecordingError> {
         let Some(mut recording) = self.recording.take() else { return Err(gone(&self.path)) };
         recording.complete()?;
+        recording.stream.end()
+    }
+
+    fn interrupt(mut self: Box<Self>, end: &Interruption) -> Result<PartFile, RecordingError> {
+        let Some(mut recording) = self.recording.take() else { return Err(gone(&self.path)) };
+        recording.complete()?;
+        recording.tell_interruption(end)?;
         recording.stream.end()
     }
 }
