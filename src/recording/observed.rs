@@ -41,3 +41,25 @@ pub enum Axes {
     /// Fixed in the world.
     World,
 }
+
+impl Observed {
+    /// Whether it tells any quantity.
+    pub(super) fn tells(&self) -> bool {
+        self.attitude.is_some() || self.vectors().any(|_| true)
+    }
+
+    /// Whether all values are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        self.attitude.iter().all(Track::is_finite) && self.vectors().all(Track::is_finite)
+    }
+
+    fn vectors(&self) -> impl Iterator<Item = &Track<3>> {
+        [&self.angular_velocity, &self.angular_momentum, &self.moment, &self.position, &self.velocity].into_iter().flatten()
+    }
+}
+
+impl<const N: usize> Track<N> {
+    fn is_finite(&self) -> bool {
+        self.columns.iter().flatten().all(|value| value.is_finite())
+    }
+}

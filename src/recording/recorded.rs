@@ -142,7 +142,8 @@ impl Recording {
         Ok(())
     }
 
-    fn refuse(&self, reason: String) -> RecordingError {
+    /// A complaint about this file.
+    pub(super) fn refuse(&self, reason: String) -> RecordingError {
         RecordingError::Decode { path: self.path.clone(), reason }
     }
 }

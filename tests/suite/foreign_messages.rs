@@ -67,12 +67,21 @@ type Sent = (&'static str, &'static str, u64, Vec<u8>);
 
 /// Topic, schema, log time and message of each, in a file as another program may write it.
 fn read(messages: &[Sent]) -> Result<Observation, RecordingError> {
+    read_as(["ros2idl", "cdr"], messages)
+}
+
+fn read_protobuf(messages: &[Sent]) -> Result<Observation, RecordingError> {
+    read_as(["protobuf", "protobuf"], messages)
+}
+
+/// The encodings of schemas and of messages.
+fn read_as(encodings: [&str; 2], messages: &[Sent]) -> Result<Observation, RecordingError> {
     let folder = tempdir().expect("a folder");
     let path = folder.path().join("bag.mcap");
     let mut writer = mcap::Writer::new(fs::File::create(&path).expect("room")).expect("room");
     for (topic, schema, log_time, message) in messages {
-        let schema = writer.add_schema(schema, "ros2idl", b"struct").expect("room");
-        let channel_id = writer.add_channel(schema, topic, "cdr", &BTreeMap::new()).expect("room");
+        let schema = writer.add_schema(schema, encodings[0], b"struct").expect("room");
+        let channel_id = writer.add_channel(schema, topic, encodings[1], &BTreeMap::new()).expect("room");
         let header = MessageHeader { channel_id, sequence: 0, log_time: *log_time, publish_time: *log_time };
         writer.write_to_known_channel(&header, message).expect("room");
     }
@@ -138,6 +147,43 @@ fn repeated_transforms_are_one() {
 }
 
 #[test]
+fn what_tells_nothing_is_no_body() {
+    // A parent and a child, and neither a translation nor a rotation.
+    let bare = b"\x12\x01a\x1a\x01b".to_vec();
+    let refused = read_protobuf(&[("/tf", "foxglove.FrameTransform", 1, bare)]).expect_err("no body").to_string();
+    assert!(refused.contains("nothing in it tells of a body's attitude or rates"), "{refused}");
+}
+
+/// 4 kB that would become gigabytes: every pose of a list repeats the name of the frame.
+#[test]
+fn a_name_that_many_poses_repeat_is_short() {
+    let poses = |length: u16| {
+        let [low, high] = [(length & 127) as u8 | 128, (length >> 7) as u8];
+        let mut message = vec![0x12, low, high];
+        message.extend(vec![b'a'; length.into()]);
+        message.extend([0x1a, 0].repeat(3));
+        message.extend(b"\x1a\x0b\x0a\x09\x09\0\0\0\0\0\0\0\0");
+        [("/poses", "foxglove.PosesInFrame", 1, message)]
+    };
+    assert_eq!(read_protobuf(&poses(1024)).expect("one pose with a position").bodies.len(), 1);
+    let refused = read_protobuf(&poses(1025)).expect_err("too long").to_string();
+    assert!(refused.contains("has another form than foxglove.PosesInFrame has, or no end of bodies"), "{refused}");
+}
+
+/// Seconds from 0 have steps of 256 ns after 36 years.
+#[test]
+fn times_that_seconds_cannot_tell_apart_are_refused() {
+    let sent = |last_ns| -> Vec<Sent> {
+        let stamps = [5, 1 << 60, last_ns];
+        stamps.map(|stamp| ("/tf", TRANSFORM, stamp, transform(0, "base", 0.0, false))).into()
+    };
+    let times = read(&sent((1 << 60) + 1000)).expect("told").bodies[0].attitude.as_ref().expect("told").times_s.clone();
+    assert!(times[1] < times[2]);
+    let refused = read(&sent((1 << 60) + 1)).expect_err("one time").to_string();
+    assert!(refused.contains("both are one f64 of seconds"), "{refused}");
+}
+
+#[test]
 fn what_is_wrong_is_named_with_its_place() {
     let whole = transform(30, "base", 1.0, false);
     let mut claims_much = whole.clone();
@@ -150,7 +196,7 @@ fn what_is_wrong_is_named_with_its_place() {
     let other = transform(30, "base", 2.0, false);
     let nan = transform(40, "base", f64::NAN, false);
     let many = Cdr::new(false).word(u32::MAX).bytes;
-    let form = "the message on /tf at 9 ns has another form than geometry_msgs/msg/TransformStamped has";
+    let form = "the message on /tf at 9 ns has another form than geometry_msgs/msg/TransformStamped has, or no end of bodies";
     let cases = [
         (TRANSFORM, whole[..whole.len() - 1].to_vec(), form),
         (TRANSFORM, Vec::new(), form),

@@ -9,6 +9,10 @@ const LEAST_ORTHOGONAL: f64 = 1e-3;
 /// Of modified Rodrigues parameters σ = e tan(φ/4), `[SJ18]` §3.6.
 pub(super) fn from_mrp([x, y, z]: [f64; 3]) -> Quaternion {
     let square = x * x + y * y + z * z;
+    if square == f64::INFINITY {
+        // A whole turn, to 1e-154.
+        return [-1.0, 0.0, 0.0, 0.0];
+    }
     let scale = 1.0 / (1.0 + square);
     [(1.0 - square) * scale, 2.0 * x * scale, 2.0 * y * scale, 2.0 * z * scale]
 }
@@ -107,6 +111,14 @@ mod tests {
                 let from_rows = turn(from_matrix(rows).expect("a rotation"));
                 assert!((expected.inverse() * from_rows).imag().norm() < 2.0 * ROUNDING, "matrix, case {index}");
             }
+        }
+    }
+
+    #[test]
+    fn whole_turns_are_far_off_among_mrp() {
+        for far in [1e100, 1e153, 1e154, 1e200, f64::MAX] {
+            assert_eq!(from_mrp([0.0, far, far])[0], -1.0, "{far:e}");
+            assert!(from_mrp([0.0, far, -far]).iter().all(|part| part.is_finite()), "{far:e}");
         }
     }
 

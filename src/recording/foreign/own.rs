@@ -9,7 +9,7 @@ pub(super) const DOUBLE: f64 = f64::EPSILON / 2.0;
 /// those of the world for L.
 ///
 /// # Errors
-/// As [`Recording::next_batch`].
+/// As [`Recording::next_batch`]; if it has no samples, tells of no body, or holds a number that is not finite.
 pub(super) fn observe(recording: &mut Recording) -> Result<Observation, RecordingError> {
     let (mut times, mut samples) = (Vec::new(), recording.heading().samples());
     while let Some(batch) = recording.next_batch()? {
@@ -19,8 +19,17 @@ pub(super) fn observe(recording: &mut Recording) -> Result<Observation, Recordin
             column.extend_from_slice(new);
         }
     }
+    if times.is_empty() {
+        return Err(recording.refuse("it has no samples".into()));
+    }
     let bodies = recording.heading().bodies.iter().zip(&mut samples.bodies);
-    let bodies = bodies.map(|(body, samples)| observed(body, samples, &times)).collect();
+    let bodies: Vec<_> = bodies.map(|(body, samples)| observed(body, samples, &times)).filter(Observed::tells).collect();
+    if bodies.is_empty() {
+        return Err(recording.refuse("none of its channels tells an attitude, ω, L, a moment, a position or a velocity".into()));
+    }
+    if let Some(body) = bodies.iter().find(|body| !body.is_finite()) {
+        return Err(recording.refuse(format!("{:?} has a value that is not finite", body.name)));
+    }
     Ok(Observation { bodies, ..Observation::default() })
 }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 use tempfile::tempdir;
 
 /// Of all corpora together, bytes.
-const MOST_BYTES: u64 = 200_000;
+const MOST_BYTES: u64 = 400_000;
 
 #[test]
 fn every_input_of_the_corpora_has_an_answer() {
@@ -27,7 +27,7 @@ fn every_input_of_the_corpora_has_an_answer() {
 
 #[test]
 fn corpora_stay_small() {
-    let names = ["csv", "mcap", "obj", "rrd", "scene", "set", "stl"];
+    let names = ["csv", "foreign", "mcap", "obj", "rrd", "scene", "set", "stl"];
     let bytes: u64 = names.iter().flat_map(|name| inputs(name)).map(|(_, bytes)| bytes.len() as u64).sum();
     assert!(bytes <= MOST_BYTES, "{bytes} bytes");
 }

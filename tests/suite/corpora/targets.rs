@@ -3,13 +3,15 @@
 //!
 //! An error is an answer; a panic, a hang or a heap without bounds is none. What is not refused must hold what it says.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use polhode::body::TriangleMesh;
 use polhode::dynamics::{Problem, Torque};
 use polhode::propagation::States;
-use polhode::recording::{Recording, RecordingError, contents};
+use polhode::recording::foreign::{Mapping, Observation, observe};
+use polhode::recording::{Observed, Recording, RecordingError, Track, contents};
 use polhode::scenario::{Grid, Plan, Scenario};
 use polhode::telemetry::BodySamples;
 
@@ -37,6 +39,7 @@ pub type Target = fn(&Scratch, &[u8]);
 /// Every target by the name of its corpus.
 pub const TARGETS: &[(&str, Target)] = &[
     ("csv", csv),
+    ("foreign", foreign),
     #[cfg(feature = "mcap")]
     ("mcap", mcap),
     ("obj", obj),
@@ -90,6 +93,46 @@ pub fn mcap(scratch: &Scratch, bytes: &[u8]) {
 #[cfg(feature = "rerun")]
 pub fn rrd(scratch: &Scratch, bytes: &[u8]) {
     recording(scratch, bytes, "fuzz.rrd");
+}
+
+/// A file of another program, with what its reader says of it: its extension in the first line, then a mapping up to a line
+/// of three hyphens (none: no mapping), then its bytes.
+pub fn foreign(scratch: &Scratch, bytes: &[u8]) {
+    let Some((extension, rest)) = split(bytes, b"\n") else { return };
+    let (text, content) = split(rest, b"---\n").unwrap_or((b"", rest));
+    let known = ["csv", "dat", "mcap", "rrd", "tsv", "txt"];
+    let Some(extension) = known.into_iter().find(|name| name.as_bytes() == extension) else { return };
+    let Ok(mapping) = Mapping::read(&scratch.file("fuzz.toml", text)) else { return };
+    if let Ok(found) = observe(&scratch.file(&format!("fuzz.{extension}"), content), &mapping) {
+        told(&found);
+    }
+}
+
+/// What stands before the first `mark`, and behind it.
+fn split<'a>(bytes: &'a [u8], mark: &[u8]) -> Option<(&'a [u8], &'a [u8])> {
+    let place = bytes.windows(mark.len()).position(|window| window == mark)?;
+    Some((&bytes[..place], &bytes[place + mark.len()..]))
+}
+
+/// There are bodies, each tells something under a name of its own, and every number can be reckoned with.
+fn told(found: &Observation) {
+    assert!(!found.bodies.is_empty() && found.time_resolution_s.is_finite() && found.time_resolution_s >= 0.0);
+    let names: BTreeSet<&str> = found.bodies.iter().map(|body| body.name.as_str()).collect();
+    assert_eq!(names.len(), found.bodies.len(), "{names:?}");
+    for Observed { attitude, angular_velocity, angular_momentum, moment, position, velocity, .. } in &found.bodies {
+        let vectors = [angular_velocity, angular_momentum, moment, position, velocity];
+        assert!(attitude.is_some() || vectors.iter().any(|track| track.is_some()));
+        attitude.iter().for_each(ascending);
+        vectors.into_iter().flatten().for_each(ascending);
+    }
+}
+
+/// Times ascend, no column is shorter, and no number is not finite.
+fn ascending<const N: usize>(track: &Track<N>) {
+    assert!(!track.times_s.is_empty() && track.times_s.windows(2).all(|pair| pair[0] < pair[1]));
+    assert!(track.columns.iter().all(|column| column.len() == track.times_s.len()));
+    assert!(track.columns.iter().chain([&track.times_s]).flatten().all(|number| number.is_finite()));
+    assert!(track.resolution.is_finite() && track.resolution >= 0.0);
 }
 
 /// As a whole recording, and as what a killed run left.

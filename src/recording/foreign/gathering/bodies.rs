@@ -6,7 +6,7 @@ use crate::recording::foreign::{Mapping, Observation, attitudes};
 use crate::recording::{Axes, Observed, Track};
 
 /// Most bodies.
-const MOST_BODIES: usize = 65_535;
+pub(in crate::recording) const MOST_BODIES: usize = 65_535;
 
 /// The bodies that messages tell of.
 #[derive(Debug, Default)]
@@ -48,6 +48,9 @@ impl Gathering {
     /// If it is not finite, or there are too many bodies.
     pub fn take(&mut self, statement: &Statement) -> Result<(), String> {
         if self.world.is_some() && statement.place.fixed.is_some() && statement.place.fixed != self.world {
+            return Ok(());
+        }
+        if !statement.tells() {
             return Ok(());
         }
         let number = match self.places.get(&statement.place) {

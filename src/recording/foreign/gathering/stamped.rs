@@ -67,12 +67,19 @@ impl<const N: usize> Stamped<N> {
     /// Over time from `start_ns`.
     ///
     /// # Errors
-    /// Which time does not come after the one before.
+    /// Which time does not come after the one before, or is too far from the start for an f64 to tell it from that.
     pub fn into_track(self, start_ns: i64, axes: Option<Axes>, resolution: f64) -> Result<Track<N>, String> {
         if let Some([last, next]) = self.stamps().array_windows().find(|[last, next]| next <= last) {
             return Err(format!("is told at {next} ns after {last} ns: times ascend"));
         }
-        let times_s = self.stamps().iter().map(|stamp| seconds(*stamp, start_ns)).collect();
+        let times_s: Vec<f64> = self.stamps().iter().map(|stamp| seconds(*stamp, start_ns)).collect();
+        if let Some(index) = times_s.array_windows().position(|[last, next]| next <= last) {
+            let (last, next) = (self.stamps()[index], self.stamps()[index + 1]);
+            return Err(format!(
+                "is told at {next} ns after {last} ns: so long after the start of the file, at {start_ns} ns, both are one f64 of \
+                 seconds"
+            ));
+        }
         Ok(Track { times_s, columns: self.columns, axes, resolution })
     }
 }

@@ -23,6 +23,14 @@ pub(in crate::recording) struct Statement {
     pub resolution: f64,
 }
 
+impl Statement {
+    /// Whether it tells any quantity.
+    pub fn tells(&self) -> bool {
+        let vectors = [self.position, self.angular_velocity, self.moment, self.velocity];
+        self.attitude.is_some() || vectors.iter().any(Option::is_some)
+    }
+}
+
 /// Where a body is told of, and in which axes.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::recording) struct Place {

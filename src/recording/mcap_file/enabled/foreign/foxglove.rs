@@ -4,7 +4,10 @@
 use prost::Message;
 
 use super::super::foxglove::{FrameTransform, Pose, Quaternion, Timestamp, Xyz};
-use crate::recording::foreign::gathering::{Place, Statement};
+use crate::recording::foreign::gathering::{MOST_BODIES, Place, Statement};
+
+/// Longest name of a frame that many poses have, bytes.
+const LONGEST_NAME: usize = 1024;
 
 #[derive(Clone, PartialEq, Message)]
 pub(super) struct FrameTransforms {
@@ -51,6 +54,11 @@ pub(super) struct Odometry {
 
 /// What a message says.
 pub(super) trait Says {
+    /// Whether what it says takes no more room than a few of it.
+    fn is_bounded(&self) -> bool {
+        true
+    }
+
     fn say(self, said: &mut Vec<Statement>);
 }
 
@@ -80,6 +88,11 @@ impl Says for PoseInFrame {
 }
 
 impl Says for PosesInFrame {
+    /// Every pose repeats the name of the frame.
+    fn is_bounded(&self) -> bool {
+        self.poses.len() <= MOST_BODIES && self.frame_id.len() <= LONGEST_NAME
+    }
+
     /// The places in the list tell the bodies apart.
     fn say(self, said: &mut Vec<Statement>) {
         for (number, pose) in self.poses.into_iter().enumerate() {

@@ -7,7 +7,8 @@ use super::json::FromJson;
 use super::ros;
 use crate::recording::foreign::gathering::Statement;
 
-/// Reads a message of one kind: what it says, or `None` if it is laid out in another way than its schema says.
+/// Reads a message of one kind: what it says, or `None` if it is laid out in another way than its schema says, or says so
+/// much that it cannot be meant.
 pub(super) type Reader = fn(&[u8], &mut Vec<Statement>) -> Option<()>;
 
 /// How the messages of a topic are read, by what encodes them and the name of their schema; `None` if they say nothing
@@ -48,13 +49,15 @@ pub(super) fn resolution(encoding: &str) -> f64 {
 }
 
 fn protobuf<M: Message + Default + Says>(bytes: &[u8], said: &mut Vec<Statement>) -> Option<()> {
-    M::decode(bytes).ok()?.say(said);
-    Some(())
+    say(M::decode(bytes).ok()?, said)
 }
 
 fn json<M: FromJson + Says>(bytes: &[u8], said: &mut Vec<Statement>) -> Option<()> {
-    M::from_json(&serde_json::from_slice(bytes).ok()?)?.say(said);
-    Some(())
+    say(M::from_json(&serde_json::from_slice(bytes).ok()?)?, said)
+}
+
+fn say<M: Says>(message: M, said: &mut Vec<Statement>) -> Option<()> {
+    message.is_bounded().then(|| message.say(said))
 }
 
 fn cdr(bytes: &[u8], said: &mut Vec<Statement>, read: fn(&mut Cdr, &mut Vec<Statement>) -> Option<()>) -> Option<()> {

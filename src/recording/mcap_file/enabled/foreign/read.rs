@@ -114,7 +114,7 @@ impl Intake {
         }
         self.said.clear();
         (known.read)(data, &mut self.said)
-            .ok_or_else(|| wrong(format!("has another form than {} has", known.schema)))?;
+            .ok_or_else(|| wrong(format!("has another form than {} has, or no end of bodies", known.schema)))?;
         for mut statement in self.said.drain(..) {
             if !statement.place.is_on_any_topic {
                 // Before its place in a list, if it has one.
