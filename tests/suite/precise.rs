@@ -2,11 +2,12 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 use polhode::body::Attitude;
-use polhode::dynamics::Problem;
+use polhode::dynamics::{Problem, Torque};
 use polhode::numerics::DoubleDouble;
-use polhode::propagation::{PreciseState, PreciseTaylor};
+use polhode::propagation::{BrakedRotation, PreciseState, PreciseTaylor};
 
 use crate::forced_oracle::{forced_cases, problem};
+use crate::motions::{MOMENTS, RATES};
 use crate::reference::{Case, Sample, cases};
 
 /// Its worst error on the forced cases: rad, or relative to the largest ω, or m.
@@ -92,4 +93,25 @@ fn a_limit_of_steps_is_kept() {
     let within = 0.5 * taylor.reached();
     assert!(taylor.at(taylor.reached()).expect("it ascends").is_some(), "what was reached is at hand");
     assert!(taylor.at(within).is_err(), "times ascend");
+}
+
+/// e⁻⁹⁰⁰ is no f64: what is left of L by then is below the smallest number, and the body rests.
+#[test]
+fn what_a_brake_has_taken_all_of_rests() {
+    let rate = 4.0;
+    let braked = crate::motions::problem(MOMENTS, RATES, &[Torque::MomentumBrake { rate }]);
+    let mut exact = PreciseTaylor::new(&braked).expect("covered");
+    for turned_down in [100.0, 500.0, 700.0, 744.0, 900.0, 1e4, 1e9] {
+        let time = turned_down / rate;
+        let state = exact.at(time).expect("a finite motion").expect("no limit of steps");
+        let left = size(state.angular_velocity);
+        let most = 3.0 * libm::exp(-turned_down) * size(RATES.map(DoubleDouble::from));
+        assert!(left <= most.max(1e-240), "|ω| is {left:e} after e^-{turned_down}");
+        let found = crate::motions::run(BrakedRotation::new(&braked).expect("covered"), &[time]);
+        let attitude = crate::motions::row(&found.attitude, 0).map(DoubleDouble::from);
+        let apart = distance(attitude, state.attitude).min(distance(attitude.map(|part| -part), state.attitude));
+        assert!(apart < 1e-15, "{apart:e} after e^-{turned_down}");
+    }
+    let rest = exact.at(1e10).expect("a finite motion").expect("no limit of steps");
+    assert_eq!(size(rest.angular_velocity), 0.0);
 }
