@@ -54,7 +54,9 @@ impl Observed {
     }
 
     fn vectors(&self) -> impl Iterator<Item = &Track<3>> {
-        [&self.angular_velocity, &self.angular_momentum, &self.moment, &self.position, &self.velocity].into_iter().flatten()
+        [&self.angular_velocity, &self.angular_momentum, &self.moment, &self.position, &self.velocity]
+            .into_iter()
+            .flatten()
     }
 }
 

@@ -196,7 +196,8 @@ fn what_is_wrong_is_named_with_its_place() {
     let other = transform(30, "base", 2.0, false);
     let nan = transform(40, "base", f64::NAN, false);
     let many = Cdr::new(false).word(u32::MAX).bytes;
-    let form = "the message on /tf at 9 ns has another form than geometry_msgs/msg/TransformStamped has, or no end of bodies";
+    let form =
+        "the message on /tf at 9 ns has another form than geometry_msgs/msg/TransformStamped has, or no end of bodies";
     let cases = [
         (TRANSFORM, whole[..whole.len() - 1].to_vec(), form),
         (TRANSFORM, Vec::new(), form),

@@ -23,9 +23,12 @@ pub(super) fn observe(recording: &mut Recording) -> Result<Observation, Recordin
         return Err(recording.refuse("it has no samples".into()));
     }
     let bodies = recording.heading().bodies.iter().zip(&mut samples.bodies);
-    let bodies: Vec<_> = bodies.map(|(body, samples)| observed(body, samples, &times)).filter(Observed::tells).collect();
+    let bodies: Vec<_> =
+        bodies.map(|(body, samples)| observed(body, samples, &times)).filter(Observed::tells).collect();
     if bodies.is_empty() {
-        return Err(recording.refuse("none of its channels tells an attitude, ω, L, a moment, a position or a velocity".into()));
+        return Err(
+            recording.refuse("none of its channels tells an attitude, ω, L, a moment, a position or a velocity".into())
+        );
     }
     if let Some(body) = bodies.iter().find(|body| !body.is_finite()) {
         return Err(recording.refuse(format!("{:?} has a value that is not finite", body.name)));
