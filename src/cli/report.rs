@@ -66,7 +66,7 @@ impl Report {
     fn time(&self) -> String {
         let seconds = self.wall.as_secs_f64();
         let each = seconds * 1e9 / self.plan.grid.len() as f64;
-        let Effort { evaluations, steps, rejections } = self.effort;
+        let Effort { evaluations, steps, rejections, .. } = self.effort;
         let work = if steps == 0 {
             format!("{} evaluations", grouped(evaluations))
         } else {

@@ -12,6 +12,8 @@ use crate::propagation::equations::{Equations, Values, state, values_of};
 /// A step turns the body by the quaternion (p₀, p) with 2 (p₀ Ĩ p + p × Ĩ p) = h L. L stays in the world and the energy
 /// stays: the discrete motion lies on the true polhode, and preprocessing mends the time at which it is where.
 pub(super) struct MoserVeselov {
+    /// Divided by a power of two, so that the largest is about 1: the motion is the same to the bit, and their powers in the
+    /// corrections are numbers whatever their size.
     moments: Vector3<f64>,
     corrections: &'static [Correction],
     /// h and its Ĩ: energy and momentum stay, so Ĩ does for as long as h does.
@@ -26,7 +28,10 @@ impl MoserVeselov {
 
     /// Each correction raises the order by two.
     pub fn new(problem: &Problem, corrections: &'static [Correction]) -> Self {
-        Self { moments: problem.moments.vector(), corrections, preprocessed: None }
+        let moments = problem.moments.vector();
+        let exponent = if moments.max() > 0.0 { libm::ilogb(moments.max()) } else { 0 };
+        let moments = moments.map(|moment| libm::scalbn(moment, -exponent));
+        Self { moments, corrections, preprocessed: None }
     }
 
     /// Ĩ: 1/Ĩⱼ = (1 + h² s₃ + …)/Iⱼ + h² d₃ + ….

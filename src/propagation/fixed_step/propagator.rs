@@ -16,7 +16,8 @@ pub struct FixedStep {
     longest_step: f64,
     time: f64,
     values: Values,
-    steps: u64,
+    /// Evaluations are counted by the equations.
+    effort: Effort,
 }
 
 impl FixedStep {
@@ -63,7 +64,14 @@ impl FixedStep {
         }
         let equations = Equations::new(problem, model).map_err(|error| not_covered(error.rule()))?;
         let values = equations.initial();
-        Ok(Self { equations, scheme: method.scheme(problem), longest_step, time: 0.0, values, steps: 0 })
+        Ok(Self {
+            equations,
+            scheme: method.scheme(problem),
+            longest_step,
+            time: 0.0,
+            values,
+            effort: Effort::default(),
+        })
     }
 
     /// Steps to `end`, within the current span.
@@ -81,7 +89,7 @@ impl FixedStep {
                 return Err(PropagationError::NotFinite { time });
             }
             self.values = values;
-            self.steps += 1;
+            self.effort.include_step(length);
         }
         self.time = end;
         Ok(())
@@ -120,6 +128,6 @@ impl Propagator for FixedStep {
     }
 
     fn effort(&self) -> Effort {
-        Effort { evaluations: self.equations.evaluations, steps: self.steps, rejections: 0 }
+        Effort { evaluations: self.equations.evaluations, ..self.effort }
     }
 }

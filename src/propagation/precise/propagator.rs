@@ -152,7 +152,7 @@ impl PreciseTaylor {
         }
         self.state = state;
         self.end = if ends_on_edge { DoubleDouble::from(edge) } else { time + step };
-        self.effort.steps += 1;
+        self.effort.include_step(step.hi());
         Ok(())
     }
 }

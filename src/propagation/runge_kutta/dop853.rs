@@ -21,8 +21,8 @@ pub struct Dop853 {
     next_step: Option<f64>,
     last: Option<Step>,
     latest: f64,
-    steps: u64,
-    rejections: u64,
+    /// Evaluations are counted by the equations.
+    effort: Effort,
 }
 
 /// The last step taken, for dense output.
@@ -86,8 +86,7 @@ impl Dop853 {
             next_step: None,
             last: None,
             latest: 0.0,
-            steps: 0,
-            rejections: 0,
+            effort: Effort::default(),
         })
     }
 
@@ -117,7 +116,7 @@ impl Dop853 {
                 self.next_step = Some(step * factor.clamp(Self::SHRINK, most_growth));
                 return Ok(());
             }
-            self.rejections += 1;
+            self.effort.rejections += 1;
             most_growth = 1.0;
             if error.is_finite() {
                 step *= factor.max(Self::SHRINK);
@@ -138,7 +137,7 @@ impl Dop853 {
         derivatives[..12].copy_from_slice(stages);
         self.last = Some(Step { start, length: step, values: self.values, derivatives, interpolant: None });
         (self.values, self.derivative) = (end, Some(last));
-        self.steps += 1;
+        self.effort.include_step(step);
     }
 
     /// The error of a step in units of what is allowed: estimates of order 5 and 3 combined as in the authors' code.
@@ -225,6 +224,6 @@ impl Propagator for Dop853 {
     }
 
     fn effort(&self) -> Effort {
-        Effort { evaluations: self.equations.evaluations, steps: self.steps, rejections: self.rejections }
+        Effort { evaluations: self.equations.evaluations, ..self.effort }
     }
 }

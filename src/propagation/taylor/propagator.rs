@@ -127,7 +127,7 @@ impl Taylor {
             return Err(if finite { too_small } else { PropagationError::NotFinite { time } });
         }
         self.unit = power_of_two(step);
-        self.effort.steps += 1;
+        self.effort.include_step(step);
         Ok(())
     }
 
