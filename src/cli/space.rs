@@ -1,12 +1,16 @@
 //! Whether recordings fit on the disk: asked before the run.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
 use super::args::FileFormat;
+use super::commands::convert::has_extension;
 use super::report::size;
+use crate::recording::Survey;
 use crate::scenario::Plan;
+use crate::telemetry::Channel;
 
 /// There is less room than the recordings would take.
 #[derive(Debug, Error)]
@@ -43,12 +47,30 @@ fn fits(needed: u64, free: Option<u64>, folder: &Path) -> Result<(), NoRoom> {
     }
 }
 
+/// The same for a recording that is written anew: each output beside those of its folder, which need not be there.
+pub fn check_anew(survey: &Survey, outputs: &[PathBuf]) -> Result<(), NoRoom> {
+    let mut needed: BTreeMap<&Path, u64> = BTreeMap::new();
+    for output in outputs {
+        let formats = [FileFormat::Mcap, FileFormat::Rrd, FileFormat::Csv];
+        let format = formats.into_iter().find(|format| has_extension(output, format.extension()));
+        let parent = output.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let channels = survey.heading.bodies.iter().flat_map(|body| &body.channels);
+        let bytes = format.map_or(0, |format| bytes(survey.samples, channels, &[format]));
+        let of_folder = needed.entry(parent).or_default();
+        *of_folder = of_folder.saturating_add(bytes);
+    }
+    needed.into_iter().try_for_each(|(folder, needed)| fits(needed, free(folder), folder))
+}
+
 /// Bytes of all files of a run, about.
 fn estimate(plan: &Plan, formats: &[FileFormat]) -> u64 {
-    let channels = plan.bodies.iter().flat_map(|body| &body.channels);
+    bytes(plan.grid.len(), plan.bodies.iter().flat_map(|body| &body.channels), formats)
+}
+
+fn bytes<'a>(samples: u64, channels: impl Iterator<Item = &'a Channel>, formats: &[FileFormat]) -> u64 {
     let values: usize = channels.map(|channel| channel.row().components.len()).sum();
     let each: u64 = formats.iter().map(|format| format.bytes_per_value()).sum();
-    plan.grid.len().saturating_mul(values as u64).saturating_mul(each)
+    samples.saturating_mul(values as u64).saturating_mul(each)
 }
 
 /// Bytes that this program may still write.

@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 
 use super::format::{Format, is_part};
 use super::{RecordingError, csv_file, mcap_file, rerun_file};
-use crate::scenario::{Plan, nanoseconds};
+use crate::scenario::{MOST_BODIES, Plan, nanoseconds};
 use crate::telemetry::{BodySamples, Channel, Samples};
 
 /// A recording that is read back: the same columns as were written, to the bit, whatever the format.
@@ -150,7 +150,7 @@ impl Recording {
 
 impl Heading {
     /// Most bodies: as many as an `.mcap` has topics.
-    pub(super) const MOST_BODIES: usize = 65_535;
+    pub(super) const MOST_BODIES: usize = MOST_BODIES;
 
     /// What it says of itself under `name`.
     #[must_use]

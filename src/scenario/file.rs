@@ -1,19 +1,23 @@
 //! Scenes from TOML text, with overrides.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
 use toml_edit::{DocumentMut, Item, Value};
 
 use super::{Excerpt, Refused, Scenario, ScenarioError, library};
 
+/// Largest scene, in bytes of text: more than the most bodies need.
+const MOST_BYTES: u64 = 16 << 20;
+
 impl Scenario {
     /// The scene in the TOML file at `path`, after the assignments `overrides` (`key=value`).
     ///
     /// # Errors
-    /// If the file cannot be read, is no TOML, or holds an unknown key or a value of the wrong type.
+    /// If the file cannot be read, is larger than 16 MiB, is no TOML, or holds an unknown key or a value of the wrong type.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, ScenarioError> {
-        let text =
-            std::fs::read_to_string(path).map_err(|source| ScenarioError::Io { path: path.to_path_buf(), source })?;
+        let text = read_text(path).map_err(|source| ScenarioError::Io { path: path.to_path_buf(), source })?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let scenario = Self::parse(&text, &path.display().to_string(), overrides)?;
         Ok(Self { name: name.into_owned(), folder: path.parent().unwrap_or(Path::new("")).to_path_buf(), ..scenario })
@@ -48,6 +52,16 @@ impl Scenario {
         })?;
         Ok(Self { text, name: file.clone(), file, ..scenario })
     }
+}
+
+/// The whole file, unless it is too large; reads no more than the limit even of a file without end.
+fn read_text(path: &Path) -> io::Result<String> {
+    let mut text = String::new();
+    File::open(path)?.take(MOST_BYTES + 1).read_to_string(&mut text)?;
+    if text.len() as u64 > MOST_BYTES {
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {MOST_BYTES} bytes")));
+    }
+    Ok(text)
 }
 
 fn refused(file: &str, key: &str, message: String, excerpt: Option<Excerpt>) -> ScenarioError {

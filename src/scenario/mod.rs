@@ -25,7 +25,7 @@ pub use event::{Event, EventKind};
 pub use grid::Grid;
 pub use key::{Key, Refusal, Segment};
 pub(crate) use near_miss::nearest;
-pub(crate) use plan::nudged;
+pub(crate) use plan::{MOST_BODIES, nudged};
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{

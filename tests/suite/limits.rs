@@ -82,12 +82,51 @@ fn the_most_steps() {
     }
 }
 
-/// There is no limit to the number of bodies but memory and patience: a thousand are no matter.
+/// As many as a recording can name.
 #[test]
-fn a_thousand_bodies() {
-    let bodies = (0..1000).map(|number| body(format!("body_{number}"), MOMENTS, RATES)).collect();
-    let plan = Plan::new(&Scenario { body: bodies, ..scene(1.0, 0.1, MOMENTS, RATES) }).expect("a scene");
+fn the_most_bodies() {
+    let scene = |count: usize| {
+        let bodies = (0..count).map(|number| body(format!("body_{number}"), MOMENTS, RATES)).collect();
+        Scenario { body: bodies, ..scene(0.1, 0.1, MOMENTS, RATES) }
+    };
+    let plan = Plan::new(&scene(65_535)).expect("a scene");
     let mut run = plan.start().expect("a run");
     let samples = run.next_batch().expect("a finite motion").expect("samples");
-    assert_eq!((samples.bodies.len(), samples.len()), (1000, 11));
+    assert_eq!((samples.bodies.len(), samples.len()), (65_535, 2));
+    assert!(refusal(&scene(65_536)).contains("65536 bodies: at most 65535"));
+}
+
+/// As many as the text of the scene holds.
+#[test]
+fn a_thousand_loads() {
+    let mut loaded = scene(1.0, 0.5, MOMENTS, RATES);
+    let moment =
+        |start: f64| MomentSpec { moment_n_m: [0.1, 0.0, 0.0], start_s: Some(start), end_s: Some(start + 1e-4) };
+    let constant_body = (0..1000).map(|number| moment(1e-3 * f64::from(number))).collect();
+    loaded.body[0].torque = TorqueSpecs { constant_body, ..TorqueSpecs::default() };
+    let plan = Plan::new(&loaded).expect("a plan");
+    assert_eq!(plan.bodies[0].problem.loads.len(), 1000);
+    let mut run = plan.start().expect("a run");
+    let samples = run.next_batch().expect("a finite motion").expect("samples");
+    assert_eq!(samples.len(), 3);
+}
+
+/// Of its text; more is not even read, as a file may have no end.
+#[cfg(feature = "serde")]
+#[test]
+fn the_largest_scene() {
+    const MOST: usize = 16 << 20;
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("large.toml");
+    let mut text = "# a comment\n".to_owned();
+    text += "duration_s = 1.0\nsample_every_s = 0.5\n[[body]]\nprincipal_moments_kg_m2 = [1, 2, 2.5]\n#";
+    text += &"-".repeat(MOST - text.len());
+    std::fs::write(&path, &text).expect("room");
+    let scenario = Scenario::read(&path, &[]).expect("a scene of 16 MiB");
+    Plan::new(&scenario).expect("a plan");
+    std::fs::write(&path, text + "-").expect("room");
+    let refusal = Scenario::read(&path, &[]).expect_err("a byte more").to_string();
+    assert!(refusal.contains("larger than 16777216 bytes"), "{refusal}");
+    #[cfg(unix)]
+    assert!(Scenario::read("/dev/zero".as_ref(), &[]).is_err(), "a file without end");
 }

@@ -9,6 +9,7 @@ use crate::cli::execute::{Outcome, scenario};
 use crate::cli::layout;
 use crate::cli::output::{print, print_json, remark};
 use crate::cli::report::{files_as_json, files_as_text};
+use crate::cli::space::{self, NoRoom};
 use crate::plot::grouped;
 use crate::recording::{Conversion, Finished, PartFile, RecordingError};
 use crate::scenario::{Plan, ScenarioError};
@@ -20,6 +21,8 @@ enum ConvertError {
     Scenario(#[from] ScenarioError),
     #[error(transparent)]
     Recording(#[from] RecordingError),
+    #[error(transparent)]
+    NoRoom(#[from] NoRoom),
 }
 
 /// Writes a recording anew, in other formats.
@@ -58,6 +61,7 @@ fn convert(arguments: &ConvertArguments) -> Result<(Conversion, Vec<Finished>), 
         Some(scene) => Conversion::with_plan(&arguments.input, Plan::new(&scenario(scene, &arguments.set)?)?)?,
         None => Conversion::of(&arguments.input)?,
     };
+    space::check_anew(conversion.survey(), &arguments.outputs)?;
     let mut layouts = Vec::new();
     if let Some(plan) = conversion.plan() {
         for output in arguments.outputs.iter().filter(|output| has_extension(output, "mcap")) {

@@ -1,3 +1,5 @@
+use std::collections::HashSet;
+
 use super::rules::{optional_vector, rotation, unused, vector};
 use super::{channels, loads, mass, path, work};
 use crate::body::{AngularVelocity, Attitude, MassProperties, State};
@@ -5,13 +7,21 @@ use crate::dynamics::Problem;
 use crate::scenario::watch::wants_translation;
 use crate::scenario::{BodySpec, Grid, Key, PlannedBody, Refusal, Scenario};
 
+/// Bodies of a scene: as many as a recording can have.
+pub const MOST_BODIES: usize = 65_535;
+
 /// All bodies, each with its path.
 pub fn plan(scenario: &Scenario, grid: &Grid) -> Result<Vec<PlannedBody>, Refusal> {
+    let count = scenario.body.len();
+    if count > MOST_BODIES {
+        return Err(Key::root("body").refuse(format_args!("{count} bodies: at most {MOST_BODIES}")));
+    }
     let mut bodies: Vec<PlannedBody> = Vec::new();
+    let mut names = HashSet::new();
     for (index, spec) in scenario.body.iter().enumerate() {
         let key = Key::root("body").index(index);
-        let name = name(&key, spec, scenario.body.len())?;
-        if bodies.iter().any(|body| body.name == name) {
+        let name = name(&key, spec, count)?;
+        if !names.insert(name.clone()) {
             return Err(key.field("name").refuse(format_args!("{name:?} is the name of two bodies")));
         }
         bodies.push(body(scenario, grid, &key, spec, name)?);

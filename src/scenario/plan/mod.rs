@@ -15,4 +15,5 @@ mod sampling;
 mod solids;
 mod work;
 
+pub(crate) use bodies::MOST_BODIES;
 pub(crate) use promise::nudged;
