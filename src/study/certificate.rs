@@ -25,7 +25,10 @@ pub fn certify(plan: &Plan) -> Result<Vec<Certificate>, PropagationError> {
 /// As [`certify`].
 pub fn certify_body(body: &PlannedBody, grid: &Grid) -> Result<Certificate, PropagationError> {
     let mut indices = Grid::spread(grid.len(), MOST_SAMPLES);
-    let exact_at = |indices: &[u64]| ExactMotion::at(&body.problem, indices.iter().map(|index| grid.time(*index)));
+    let exact_at = |indices: &[u64]| {
+        let times = indices.iter().map(|index| grid.time(*index));
+        ExactMotion::at(&body.problem, times, ExactMotion::MOST_STEPS)
+    };
     let mut exact = exact_at(&indices)?;
     let is_whole = exact.states.len() == indices.len();
     if !is_whole {

@@ -2,8 +2,6 @@ use super::deviation::{angle, distance, length};
 use crate::dynamics::Problem;
 use crate::propagation::{PreciseState, PreciseTaylor, PropagationError};
 
-/// Steps at most, for each run: about a thousand turns.
-const MOST_STEPS: u64 = 20_000;
 /// Of the second run: other steps, so other rounding.
 const OTHER_TOLERANCE: f64 = 1e-30;
 /// How far the two runs may differ, rad and relative in ω: far below one rounding in f64.
@@ -22,10 +20,12 @@ pub(super) struct ExactMotion {
 impl ExactMotion {
     /// As reports call it.
     pub const NAME: &str = "Taylor series in double-double";
+    /// Steps at most, for each run: about a thousand turns.
+    pub const MOST_STEPS: u64 = 20_000;
 
-    /// At ascending times, s.
-    pub fn at(problem: &Problem, times: impl Iterator<Item = f64>) -> Result<Self, PropagationError> {
-        let mut reference = PreciseTaylor::new(problem)?.limited_to(MOST_STEPS);
+    /// At ascending times, s, as far as so many steps reach.
+    pub fn at(problem: &Problem, times: impl Iterator<Item = f64>, most_steps: u64) -> Result<Self, PropagationError> {
+        let mut reference = PreciseTaylor::new(problem)?.limited_to(most_steps);
         let mut other = reference.clone().with_tolerance(OTHER_TOLERANCE);
         let mut exact = Self { states: Vec::new(), reached: 0.0, uncertainty: 0.0 };
         let mut fastest = 0.0_f64;

@@ -14,6 +14,6 @@ mod work_precision;
 pub use certificate::{certify, certify_body};
 pub use pareto::pareto_front;
 pub use reference::{Reference, reference_states};
-pub use stress::{Case, Cell, Depth, Drift, Ending, Row, Trial, Truth, Verdict, cases, stress};
+pub use stress::{Case, Cell, Depth, Drift, Ending, NoTruth, Row, Trial, Truth, Verdict, cases, stress};
 pub use timing::{Clock, Spread, interleaved, wall_clock};
 pub use work_precision::{Level, Point, Request, WorkPrecision, work_precision};

@@ -1,7 +1,8 @@
 use super::deviation::angle;
 use super::exact_motion::ExactMotion;
+use crate::dynamics::Problem;
 use crate::numerics::DoubleDouble;
-use crate::propagation::{PreciseState, States, attitude_distance};
+use crate::propagation::{PreciseState, PropagationError, States, attitude_distance};
 use crate::scenario::{Method, PlannedBody, ScenarioError, Setting};
 
 /// The motion that errors are measured from.
@@ -27,12 +28,20 @@ pub struct Reference {
 /// # Errors
 /// If the motion ceases to be finite or a step cannot be made small enough.
 pub fn reference_states(body: &PlannedBody, times: &[f64]) -> Result<Reference, ScenarioError> {
-    let exact = ExactMotion::at(&body.problem, times.iter().copied())?;
-    if exact.states.len() == times.len() {
-        let (states, rounding) = rounded(&exact.states);
-        let doubt_rad = exact.uncertainty + rounding;
-        return Ok(Reference { states, method: ExactMotion::NAME, witness: "the same by other steps", doubt_rad });
-    }
+    let exact = exact_states(&body.problem, times, ExactMotion::MOST_STEPS)?;
+    if exact.states.len() == times.len() { Ok(exact) } else { best_states(body, times) }
+}
+
+/// In double-double, at the first so many of the times: as far as the steps reach, or the digits of 106 bits.
+pub(super) fn exact_states(problem: &Problem, times: &[f64], most_steps: u64) -> Result<Reference, PropagationError> {
+    let exact = ExactMotion::at(problem, times.iter().copied(), most_steps)?;
+    let (states, rounding) = rounded(&exact.states);
+    let doubt_rad = exact.uncertainty + rounding;
+    Ok(Reference { states, method: ExactMotion::NAME, witness: "the same by other steps", doubt_rad })
+}
+
+/// The best in f64 at all of the times, and another as the witness.
+pub(super) fn best_states(body: &PlannedBody, times: &[f64]) -> Result<Reference, ScenarioError> {
     let is_known = tightest(body, Method::ClosedForm).is_ok();
     let (method, witness) =
         if is_known { (Method::ClosedForm, Method::Taylor) } else { (Method::Taylor, Method::Dop853) };

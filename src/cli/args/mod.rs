@@ -21,7 +21,7 @@ pub(super) use pictures::{PlotArguments, ReportArguments};
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
 pub(super) use run::{FileFormat, RunArguments};
 pub(super) use scenes::{ListArguments, PlanArguments};
-pub(super) use stress::StressArguments;
+pub(super) use stress::{Shown, StressArguments};
 pub(super) use verify::VerifyArguments;
 
 const EXAMPLES: &str = "\

@@ -3,17 +3,21 @@
 //! [`cases`] lists the motions, [`stress`] runs methods on one of them and says how each ended, against limits that are
 //! stated beforehand: [`Verdict`] and [`Truth::limit_rad`].
 
-mod case;
+mod cases;
 mod cell;
-mod forced_cases;
-mod free_cases;
+mod condition;
 mod laws;
 mod monodromy;
+mod row;
+mod settings;
 mod trial;
 mod truth;
+mod verdict;
 
-pub use case::{Case, Depth, cases};
-pub use cell::{Cell, Row, Verdict, stress};
+pub use cases::{Case, Depth, cases};
+pub use cell::Cell;
 pub use laws::Drift;
+pub use row::{NoTruth, Row, stress};
 pub use trial::{Ending, Trial};
 pub use truth::Truth;
+pub use verdict::Verdict;

@@ -16,6 +16,8 @@ pub(super) struct Monodromy {
     turn: [DoubleDouble; 4],
 }
 
+/// Turns after which one period and its powers are the cheaper reference.
+const LONG: f64 = 500.0;
 /// Steps of a period at most.
 const MOST_STEPS: u64 = 20_000;
 /// Parts of the shortest time in which a rate changes by its own size.
@@ -50,6 +52,12 @@ impl Monodromy {
         state.attitude = unit(product(power(self.turn, count), state.attitude));
         Some(state)
     }
+}
+
+/// Whether a free body turns for so long that this is the cheaper reference.
+pub(super) fn is_long(problem: &Problem, times: &[f64]) -> bool {
+    let turns = problem.initial.angular_velocity.in_body().norm() * times.last().copied().unwrap_or(0.0);
+    problem.loads.is_empty() && turns > LONG * std::f64::consts::TAU
 }
 
 /// When the rates come back for the first time, and the state then.

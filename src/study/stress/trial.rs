@@ -12,7 +12,7 @@ pub struct Trial {
     pub path: Path,
     /// How it ended.
     pub ending: Ending,
-    /// Largest angle from the true attitude, rad, as far as it ran; infinite if it ran nowhere.
+    /// Largest angle from the true attitude, rad, as far as it ran and as the truth is known; infinite if it ran nowhere.
     pub error_rad: f64,
     /// Errors below this are not resolved, rad: the reference is in doubt by as much.
     pub doubt_rad: f64,
@@ -33,10 +33,8 @@ pub struct Trial {
     /// How often the quaternion's sign jumped between times less than a quarter of a turn apart; `None` where they are
     /// farther apart.
     pub sign_jumps: Option<u64>,
-    /// Evaluations, steps, rejections.
+    /// Evaluations, steps, rejections, the shortest step.
     pub effort: Effort,
-    /// The shortest mean step between two of the times, s; `None` without steps.
-    pub shortest_step_s: Option<f64>,
 }
 
 /// How a run ended.
@@ -68,7 +66,7 @@ impl Trial {
             error_rad: f64::INFINITY,
             doubt_rad: truth.reference.doubt_rad,
             rates_error: f64::INFINITY,
-            limit_rad: 0.0,
+            limit_rad: truth.limit_rad(body.path, 0),
             lost_at_s: Some(0.0),
             energy: None,
             momentum: None,
@@ -76,13 +74,11 @@ impl Trial {
             orthogonality_error: 0.0,
             sign_jumps: None,
             effort: Effort::default(),
-            shortest_step_s: None,
         };
         match body.propagator() {
             Ok(propagator) => trial.follow(body, propagator, truth, (stride, most_steps)),
             Err(error) => trial.ending = Ending::Failed(error.to_string()),
         }
-        trial.limit_rad = truth.limit_rad(body.path, trial.effort.steps);
         trial
     }
 
@@ -97,7 +93,6 @@ impl Trial {
         let (mut states, mut before) = (States::default(), 0.0);
         self.lost_at_s = None;
         for (row, time) in truth.times_s.iter().enumerate().step_by(stride) {
-            let effort = propagator.effort();
             self.ending = match propagator.fill(&[*time], &mut states) {
                 Ok(()) if !is_finite(&states) => Ending::Silent,
                 Ok(()) if propagator.effort().steps > most_steps => Ending::TooLong,
@@ -109,8 +104,10 @@ impl Trial {
                 self.lost_at_s = self.lost_at_s.or(Some(before));
                 break;
             }
-            self.pace(time - before, self.effort.steps - effort.steps);
-            self.compare(truth, row, &states);
+            if row < truth.reference.states.len() {
+                self.compare(truth, row, &states);
+                self.limit_rad = truth.limit_rad(self.path, self.effort.steps);
+            }
             laws.include(*time, &states, 0, self.lost_at_s.is_none());
             before = *time;
         }
@@ -118,14 +115,6 @@ impl Trial {
         (self.norm_error, self.orthogonality_error) = (laws.norm, laws.orthogonality);
         let apart = truth.times_s.windows(stride + 1).map(|times| times[stride] - times[0]).fold(0.0, f64::max);
         self.sign_jumps = (apart * truth.fastest < std::f64::consts::FRAC_PI_2).then_some(laws.sign_jumps);
-    }
-
-    #[expect(clippy::cast_precision_loss, reason = "a mean")]
-    fn pace(&mut self, span: f64, steps: u64) {
-        if steps > 0 {
-            let mean = span / steps as f64;
-            self.shortest_step_s = Some(self.shortest_step_s.map_or(mean, |shortest| shortest.min(mean)));
-        }
     }
 
     fn compare(&mut self, truth: &Truth, row: usize, states: &States) {

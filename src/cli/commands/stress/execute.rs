@@ -12,7 +12,7 @@ use crate::cli::output::{print, print_json, write};
 use crate::plot::{Format, PlotError};
 use crate::recording::{PartFile, RecordingError};
 use crate::scenario::Method;
-use crate::study::{Case, Depth, Row, Verdict, cases, stress};
+use crate::study::{Case, Depth, Row, Verdict, cases};
 
 /// Why there is no result.
 #[derive(Debug, Error)]
@@ -47,7 +47,7 @@ pub fn execute(arguments: &StressArguments) -> io::Result<Outcome> {
     if arguments.json {
         print_json(&Value::Array(matrix.rows.iter().map(json::row).collect()))?;
     } else {
-        print(&matrix::as_text(&matrix))?;
+        print(&matrix::as_text(&matrix, &arguments.show))?;
     }
     let cells = || matrix.rows.iter().flat_map(|row| &row.cells);
     let is_wrong = cells().any(|cell| cell.verdict == Verdict::Wrong);
@@ -67,13 +67,20 @@ fn matrix(arguments: &StressArguments) -> Result<Matrix, StressError> {
     }
     let cases = chosen(arguments, depth)?;
     arguments.plot.iter().try_for_each(|path| Format::of(path).map(|_| ()))?;
-    // After a signal no case is begun.
-    let row = |case| interrupt::signal().is_none().then(|| stress(case, &methods, depth));
-    let rows: Vec<Row> = cases.par_iter().with_max_len(1).filter_map(row).collect();
+    let rows: Vec<Row> = cases.par_iter().with_max_len(1).filter_map(|case| row(case, &methods, depth)).collect();
     if let Some(signal) = interrupt::signal().filter(|_| rows.len() < cases.len()) {
         return Err(StressError::Interrupted { signal, done: rows.len(), all: cases.len() });
     }
     Ok(Matrix { depth, methods, rows })
+}
+
+/// Its cells side by side, too: those of the longest case take longer than all others. After a signal none is begun.
+fn row(case: &Case, methods: &[Method], depth: Depth) -> Option<Row> {
+    let goes_on = || interrupt::signal().is_none();
+    let row = goes_on().then(|| Row::begin(case))?;
+    let cell = |method: &Method| goes_on().then(|| row.cell(*method, depth));
+    let cells = methods.par_iter().with_max_len(1).map(cell).collect::<Option<_>>()?;
+    Some(Row { cells, ..row })
 }
 
 /// The cases of this depth, or those asked for by name at any.

@@ -1,5 +1,6 @@
 use serde_json::{Value, json};
 
+use crate::cli::growth::growth_as_json;
 use crate::study::{Cell, Drift, Ending, Row, Trial, Truth, Verdict};
 
 /// All of one case.
@@ -9,7 +10,7 @@ pub fn row(row: &Row) -> Value {
         "case": row.case.key,
         "title": row.case.title,
         "span_s": row.case.scenario.duration_s,
-        "refusal": truth.err(),
+        "refusal": truth.err().map(|none| &none.reason),
         "reference": truth.ok().map(reference),
         "cells": row.cells.iter().map(cell).collect::<Vec<_>>(),
     })
@@ -20,6 +21,7 @@ fn reference(truth: &Truth) -> Value {
         "method": truth.reference.method,
         "witness": truth.reference.witness,
         "doubt_rad": truth.reference.doubt_rad,
+        "horizon_s": truth.horizon_s,
         "condition_rad": truth.condition_rad,
         "fastest_rad_s": truth.fastest,
         "times": truth.times_s.len(),
@@ -32,7 +34,8 @@ fn cell(cell: &Cell) -> Value {
         "verdict": word(cell.verdict),
         "refusal": cell.refusal,
         "error_rad": cell.best().map(|trial| trial.error_rad),
-        "breaks_at": cell.breaks_at(),
+        "breaks_at": cell.broken().and_then(|trial| trial.value),
+        "lost_at_s": cell.broken().and_then(|trial| trial.lost_at_s),
         "runs": cell.trials.iter().map(trial).collect::<Vec<_>>(),
     })
 }
@@ -75,13 +78,13 @@ fn trial(trial: &Trial) -> Value {
         "evaluations": trial.effort.evaluations,
         "steps": trial.effort.steps,
         "rejections": trial.effort.rejections,
-        "shortest_step_s": trial.shortest_step_s,
+        "shortest_step_s": trial.effort.shortest_step_s,
     })
 }
 
 fn drift(drift: &Drift) -> Value {
     json!({
         "largest_relative": drift.largest,
-        "growth": drift.growth.map(|growth| growth.in_words()),
+        "growth": drift.growth.as_ref().map(growth_as_json),
     })
 }

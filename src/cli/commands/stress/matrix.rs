@@ -1,21 +1,9 @@
 use std::io::IsTerminal;
 
 use super::execute::Matrix;
+use crate::cli::args::Shown;
 use crate::scenario::Method;
 use crate::study::{Cell, Depth, Ending, Row, Trial, Verdict};
-
-/// What each sign means, below the matrix.
-pub const LEGEND: &str = "\
-A number: right digits of the attitude at the finest setting, −log₁₀ of the error in rad
-  =  within its limit: as right as f64 and the motion allow, or as promised
-  ~  follows the motion, but less exactly than f64 allows
-  c  chaotic: the motion itself magnifies one rounding past 0.1 rad
-  x  loses the motion (0.1 rad), or ends with an error on the way
-  !! must never be given: beyond its promise, not finite without an error,
-     not of unit length, or with a jump of the quaternion's sign
-  –  refused before the run, with a reason
-  .  would take too many steps
-  ?  nothing to measure it by";
 
 /// Letters of one column: two to a method.
 #[must_use]
@@ -44,17 +32,31 @@ pub const fn short(method: Method) -> &'static str {
     }
 }
 
-/// Cases down, methods across: 80 columns for every method.
-pub fn as_text(matrix: &Matrix) -> String {
+/// Cases down, methods across, once for each of what is `shown`: 80 columns for every method.
+pub fn as_text(matrix: &Matrix, shown: &[Shown]) -> String {
+    let names = matrix.methods.iter().map(|method| format!("{} {}", short(*method), method.key()));
+    let tables: String = shown.iter().map(|shown| table(matrix, *shown) + "\n").collect();
+    let cells = matrix.rows.iter().flat_map(|row| row.cells.iter().filter_map(|cell| remark(row, cell)));
+    let remarks: String = matrix.rows.iter().filter_map(horizon).chain(cells).collect();
+    format!("{tables}{}\n\n{}\n{remarks}", wrapped(names), summary(matrix))
+}
+
+/// One matrix with its legend; each group of cases has the methods above it.
+fn table(matrix: &Matrix, shown: Shown) -> String {
     let colours = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-    let widest = matrix.rows.iter().map(|row| row.case.key.len()).max().unwrap_or(0);
+    let widest = matrix.rows.iter().map(|row| row.case.key.len().max(row.case.group.len())).max().unwrap_or(0);
     let depth = if matrix.depth == Depth::Quick { "quick" } else { "full" };
     let heads = matrix.methods.iter().map(|method| short(*method)).collect::<Vec<_>>().join(" ");
-    let rows: String = matrix.rows.iter().map(|row| line(row, widest, colours)).collect();
-    let names = matrix.methods.iter().map(|method| format!("{} {}", short(*method), method.key()));
-    let words = [format!("{depth:widest$}  {heads}\n{rows}"), LEGEND.to_owned(), wrapped(names), summary(matrix)];
-    let remarks = matrix.rows.iter().flat_map(|row| row.cells.iter().filter_map(|cell| remark(row, cell)));
-    format!("{}\n{}", words.join("\n"), remarks.collect::<String>())
+    let mut text = format!("{depth}: {}\n", shown.title());
+    let mut group = "";
+    for row in &matrix.rows {
+        if row.case.group != group {
+            group = row.case.group;
+            text += &format!("\n{:widest$}  {heads}\n", group.to_uppercase());
+        }
+        text += &line(row, shown, widest, colours);
+    }
+    text + "\n" + shown.legend()
 }
 
 /// How many of what.
@@ -67,10 +69,10 @@ fn summary(matrix: &Matrix) -> String {
     format!("{cells} cells, {runs} runs: {kept} within their limits, {coarse} coarse, {lost} lost, {wrong} wrong")
 }
 
-fn line(row: &Row, widest: usize, colours: bool) -> String {
+fn line(row: &Row, shown: Shown, widest: usize, colours: bool) -> String {
     let cell = |cell: &Cell| {
-        let sign = format!("{:>3}", cell.sign());
-        match colour(cell.verdict).filter(|_| colours) {
+        let sign = format!("{:>3}", shown.sign(row, cell));
+        match colour(cell.verdict).filter(|_| colours && shown == Shown::Attitude) {
             Some(colour) => format!("\x1b[{colour}m{sign}\x1b[0m"),
             None => sign,
         }
@@ -87,6 +89,13 @@ const fn colour(verdict: Verdict) -> Option<&'static str> {
         Verdict::Wrong => Some("1;97;41"),
         Verdict::Refused | Verdict::TooLong | Verdict::Unjudged => None,
     }
+}
+
+/// How far a chaotic motion is judged: a line of its own.
+fn horizon(row: &Row) -> Option<String> {
+    let (horizon, span) = (row.truth.as_ref().ok()?.horizon_s?, row.case.scenario.duration_s?);
+    let why = "a rounding moves the motion by more than 1e-4 rad";
+    Some(format!("{}: judged to {horizon:.3e} s of {span:.3e} s; later {why}\n", row.case.key))
 }
 
 /// Why a cell is wrong, or refused by `auto`: a line of its own.

@@ -4,5 +4,6 @@ mod execute;
 mod json;
 mod matrix;
 mod plot;
+mod view;
 
 pub use execute::execute;

@@ -10,19 +10,20 @@ const SPAN: f64 = 20.0;
 
 /// Bodies that nothing acts on.
 pub(super) fn cases() -> Vec<Case> {
-    let case = |key, title, span, moments, rates| Case::new(key, title, span, body(moments, rates));
-    let mut cases = vec![case("tumbling", "three moments, no axis near", SPAN, MOMENTS, RATES)];
-    cases.extend(shapes());
-    cases.extend(separatrices());
-    cases.extend(frames());
-    cases.extend(units());
-    cases.extend(long());
-    cases
+    let groups = [
+        ("shapes", shapes()),
+        ("middle axis", separatrices()),
+        ("frames", frames()),
+        ("units", units()),
+        ("long spans", long()),
+    ];
+    groups.into_iter().flat_map(|(name, cases)| Case::grouped(name, cases)).collect()
 }
 
 fn shapes() -> Vec<Case> {
     let case = |key, title, span, moments, rates| Case::new(key, title, span, body(moments, rates));
     vec![
+        case("tumbling", "three moments, no axis near", SPAN, MOMENTS, RATES),
         case("sphere", "three equal moments", SPAN, [1.7; 3], RATES),
         case("near_sphere", "moments equal to 1e-6", SPAN, [1.0, 1.000_000_5, 1.000_001], RATES),
         case("near_sphere_ulp", "moments equal to one rounding", SPAN, [1.0, 1.0 + f64::EPSILON, 1.0], RATES),

@@ -1,11 +1,13 @@
-use super::{forced_cases, free_cases};
+use super::{forced, free};
 use crate::scenario::{BodySpec, Scenario};
 
 /// A motion that some method breaks on, as a scene: what is refused is refused as a user's scene is.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     /// Its name, unique.
     pub key: &'static str,
+    /// What it is one of, in a word or two.
+    pub group: &'static str,
     /// What is hard about it.
     pub title: &'static str,
     /// From which depth on it is run.
@@ -31,8 +33,8 @@ const PARTS: u32 = 128;
 /// Every case, from free bodies to forced ones, quick ones before long ones within each.
 #[must_use]
 pub fn cases() -> Vec<Case> {
-    let mut cases = free_cases::cases();
-    cases.extend(forced_cases::cases());
+    let mut cases = free::cases();
+    cases.extend(forced::cases());
     cases
 }
 
@@ -47,7 +49,12 @@ impl Case {
             body: vec![body],
             ..Scenario::default()
         };
-        Self { key, title, depth: Depth::Quick, pace: None, scenario }
+        Self { key, group: "", title, depth: Depth::Quick, pace: None, scenario }
+    }
+
+    /// These as one group.
+    pub(super) fn grouped(group: &'static str, cases: Vec<Self>) -> impl Iterator<Item = Self> {
+        cases.into_iter().map(move |case| Self { group, ..case })
     }
 
     /// The same for the full depth only.

@@ -10,11 +10,9 @@ const SPAN: f64 = 20.0;
 
 /// Bodies that something acts on.
 pub(super) fn cases() -> Vec<Case> {
-    let mut cases = torques();
-    cases.extend(tops());
-    cases.extend(extremes());
-    cases.extend(long());
-    cases
+    let groups =
+        [("torques", torques()), ("tops", tops()), ("extreme loads", extremes()), ("long, with loads", long())];
+    groups.into_iter().flat_map(|(name, cases)| Case::grouped(name, cases)).collect()
 }
 
 fn moment(moment_n_m: [f64; 3]) -> MomentSpec {
