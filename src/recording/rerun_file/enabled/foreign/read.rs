@@ -1,5 +1,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use std::rc::Rc;
 
 use re_chunk::{Chunk, RowId, TimelineName};
 use re_log_types::{LogMsg, StoreKind, StoreSource};
@@ -109,6 +110,9 @@ fn has_relation(chunk: &Chunk) -> bool {
     chunk.component_descriptors().any(|found| found.component == relation)
 }
 
+/// Attitude and position at one time.
+type Pose = (Option<[f64; 4]>, Option<[f64; 3]>);
+
 /// What the chunks say of one entity. Their order means nothing: times and numbers of rows do.
 #[derive(Debug, Default)]
 struct Entity {
@@ -153,26 +157,31 @@ impl Entity {
                 .remark(format!("{name}: its transforms are of the child from the parent: positions are left out"));
         }
         let is_of_either_sign = !self.turns.is_empty();
-        let mut latest = BTreeMap::new();
+        // A chunk of a few bytes unpacks to many rows: they share the names.
+        let own = Rc::new(place(name, None, None));
+        let place_of = |row: &RowId| match (self.children.get(row), self.parents.get(row)) {
+            (None, None) => own.clone(),
+            (child, parent) => Rc::new(place(name, child, parent)),
+        };
+        let mut latest: BTreeMap<(i64, Rc<Place>), Pose> = BTreeMap::new();
         for ((time, row), attitude) in self.quaternions.into_iter().chain(self.turns) {
             let [w, x, y, z] = attitude;
             let attitude = if is_inverted { [w, -x, -y, -z] } else { attitude };
-            let place = place(name, self.children.get(&row), self.parents.get(&row));
-            latest.entry((time, place)).or_insert_with(Statement::default).attitude = Some(attitude);
+            latest.entry((time, place_of(&row))).or_default().0 = Some(attitude);
         }
         for ((time, row), position) in self.translations {
-            let place = place(name, self.children.get(&row), self.parents.get(&row));
-            latest.entry((time, place)).or_insert_with(Statement::default).position = Some(position);
+            latest.entry((time, place_of(&row))).or_default().1 = Some(position);
         }
-        for ((time, place), statement) in latest {
-            let (stamp_ns, log_ns) = (Some(time), time);
+        for ((time, place), (attitude, position)) in latest {
             gathering.take(&Statement {
-                place,
-                stamp_ns,
-                log_ns,
+                place: Place::clone(&place),
+                stamp_ns: Some(time),
+                log_ns: time,
+                attitude,
+                position,
                 resolution: SINGLE,
                 is_of_either_sign,
-                ..statement
+                ..Statement::default()
             })?;
         }
         Ok(())

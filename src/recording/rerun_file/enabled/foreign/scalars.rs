@@ -12,7 +12,7 @@ use crate::recording::foreign::gathering::{seconds, start_of};
 use crate::recording::foreign::table::{Columns, Numbers, Parts};
 use crate::recording::foreign::{Mapping, Observation};
 
-/// Most numbers of an entity at one time.
+/// Most numbers of all entities at one time.
 const WIDEST: usize = 1 << 16;
 
 /// Reads bodies from `Scalars`, by a mapping: a column is an entity, or one of its numbers, `/entity:1` the first.
@@ -29,6 +29,10 @@ pub(super) fn observe(path: &Path, mapping: &Mapping) -> Result<Observation, Rec
         }
         Ok(())
     })?;
+    let width: usize = widths.values().sum();
+    if width > WIDEST {
+        return Err(refused(format!("it has {width} columns of scalars, more than {WIDEST}")));
+    }
     let (timeline, remark) = timelines.choose(mapping).map_err(refused)?;
     let (names, sources): (Vec<_>, Vec<_>) =
         widths.iter().flat_map(|(entity, width)| columns_of(entity, *width)).unzip();
@@ -108,7 +112,10 @@ fn numbers(wanted: &[&(String, usize)], rows: Vec<BTreeMap<(i64, RowId), f64>>) 
         return Err(format!("{} is told at other times than {}", wanted[other].0, wanted[0].0));
     }
     let start_ns = start_of(*first.keys().next().ok_or("no row is on the timeline")?);
-    let times_s = first.keys().map(|time| seconds(*time, start_ns)).collect();
+    let times_s: Vec<f64> = first.keys().map(|time| seconds(*time, start_ns)).collect();
+    if let Some([last, next]) = times_s.array_windows().find(|[last, next]| next <= last) {
+        return Err(format!("a row is at {next} s, after one at {last} s: seconds do not tell their ns apart"));
+    }
     let columns = rows.iter().map(|column| column.values().copied().collect()).collect();
     Ok((Numbers { times_s, columns, ..Numbers::default() }, start_ns))
 }
