@@ -10,6 +10,7 @@ mod batches;
 mod closed_forms;
 mod continuity;
 mod free;
+mod montgomery;
 mod motions;
 mod starts;
 mod stepped;
