@@ -47,16 +47,13 @@ fn table(matrix: &Matrix, shown: Shown) -> String {
     let widest = matrix.rows.iter().map(|row| row.case.key.len().max(row.case.group.len())).max().unwrap_or(0);
     let depth = if matrix.depth == Depth::Quick { "quick" } else { "full" };
     let heads = matrix.methods.iter().map(|method| short(*method)).collect::<Vec<_>>().join(" ");
-    let mut text = format!("{depth}: {}\n", shown.title());
-    let mut group = "";
-    for row in &matrix.rows {
-        if row.case.group != group {
-            group = row.case.group;
-            text += &format!("\n{:widest$}  {heads}\n", group.to_uppercase());
-        }
-        text += &line(row, shown, widest, colours);
-    }
-    text + "\n" + shown.legend()
+    let group = |rows: &[Row]| {
+        let title = rows.first().map_or(String::new(), |row| row.case.group.to_uppercase());
+        let rows: String = rows.iter().map(|row| line(row, shown, widest, colours)).collect();
+        format!("{title:widest$}  {heads}\n{rows}\n")
+    };
+    let groups: String = matrix.rows.chunk_by(|a, b| a.case.group == b.case.group).map(group).collect();
+    format!("{depth}: {}\n\n{groups}{}", shown.title(), shown.legend())
 }
 
 /// How many of what.

@@ -1,7 +1,7 @@
 use crate::cli::args::Shown;
 use crate::comparison::{Growth, Law};
 use crate::scenario::Setting;
-use crate::study::{Cell, Drift, Row, Trial, Verdict};
+use crate::study::{Cell, Drift, Row, Trial, Truth, Verdict};
 
 impl Shown {
     /// What a matrix of it shows, as its first line.
@@ -62,7 +62,7 @@ A number: turns of the fastest rate until the run with that step is 0.1 rad off
             let is_run = matches!(cell.verdict, Verdict::Kept | Verdict::Coarse | Verdict::Chaotic | Verdict::Lost);
             cell.best().filter(|_| is_run).and_then(of).map_or_else(nothing, in_letters)
         };
-        let turn = row.truth.as_ref().map_or(1.0, |truth| truth.turn_s());
+        let turn = row.truth.as_ref().map_or(1.0, Truth::turn_s);
         let is_stepped = cell.method.setting() == Setting::Step;
         let broken = cell.broken().filter(|_| is_stepped);
         match self {
