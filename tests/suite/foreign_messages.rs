@@ -158,7 +158,8 @@ fn what_tells_nothing_is_no_body() {
 #[test]
 fn a_name_that_many_poses_repeat_is_short() {
     let poses = |length: u16| {
-        let [low, high] = [(length & 127) as u8 | 128, (length >> 7) as u8];
+        let [low, high] =
+            [length % 128 + 128, length / 128].map(|seven_bits| u8::try_from(seven_bits).expect("a byte"));
         let mut message = vec![0x12, low, high];
         message.extend(vec![b'a'; length.into()]);
         message.extend([0x1a, 0].repeat(3));
