@@ -17,7 +17,7 @@ fn stress_prints_a_matrix_of_eighty_columns_that_reads_without_colour() {
     let heads: Vec<&str> = text.lines().filter(|line| line.ends_with("k4") && line.contains(" au cf ")).collect();
     let groups: Vec<&str> = heads.iter().filter_map(|line| line.split("  ").next()).collect();
     assert_eq!(groups, ["SHAPES", "FRAMES", "EXTREME LOADS"], "{text}");
-    assert!(text.contains("0 lost, 0 wrong") || text.contains(" 0 wrong"), "{text}");
+    assert!(text.contains(" 0 wrong"), "{text}");
     assert!(text.contains("torque_1e300, auto: ") && text.contains("at most 1e11"), "{text}");
 }
 

@@ -57,11 +57,12 @@ proptest! {
         let turns = 2.0 * energy(&problem, &start) * period / along.norm();
         let off = found - (turns - solid_angle(&problem, &states, period));
         let off = (off - TAU * (off / TAU).round()).abs();
-        // T is rounded, and so is every ω of the sum: parts of all that the body turns by meanwhile.
+        // T is rounded, and so is every ω: parts of all that the body turns by meanwhile. Rounding the sum as it grows, up to
+        // 4π, loses half a unit each of 4096 times, which walks at random.
         let fastest = (0..=POINTS as usize)
             .map(|index| Vector3::from(row(&states.angular_velocity, index)).norm())
             .fold(0.0, f64::max);
-        let room = 1e-14 + 4.0 * f64::EPSILON * period * fastest;
+        let room = 5e-14 + 4.0 * f64::EPSILON * period * fastest;
         prop_assert!(off <= room, "off by {off:e} rad, more than {room:e}");
         // ω comes round: the turn is about L alone.
         let across = turned.imag().cross(&along.normalize()).norm();

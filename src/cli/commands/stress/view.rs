@@ -8,8 +8,8 @@ impl Shown {
     pub const fn title(self) -> &'static str {
         match self {
             Self::Attitude => "right digits of the attitude at the best of the settings",
-            Self::Energy => "right digits of the energy in the same run, and by which law its error grows",
-            Self::Momentum => "right digits of the angular momentum in the same run, and by which law its error grows",
+            Self::Energy => "right digits of the energy in the same run, and its growth law",
+            Self::Momentum => "right digits of the angular momentum in the same run, and its growth law",
             Self::Breaks => "the most steps to a turn with which the motion is lost",
             Self::Lasts => "after how many turns it is lost, with so many steps",
         }
@@ -20,7 +20,7 @@ impl Shown {
         match self {
             Self::Attitude => {
                 "\
-A number: right digits of the attitude at the best setting, −log₁₀ of the error in rad
+A number: right digits of the attitude at its best, −log₁₀ of the error in rad
   =  within its limit: as right as f64 and the motion allow, or as promised
   ~  follows the motion, but less exactly than f64 allows
   c  chaotic: the motion itself magnifies one rounding past 0.1 rad
@@ -34,7 +34,7 @@ A number: right digits of the attitude at the best setting, −log₁₀ of the 
             }
             Self::Energy | Self::Momentum => {
                 "\
-A number: −log₁₀ of the largest relative error of what is conserved; then its growth
+A number: −log₁₀ of its largest relative error; then how that grows
   b  bounded   r  as √t   t  as t   p  as a higher power of t   e  exponential
   i  by no simple law; no letter: too little to tell a law
   ·  not conserved, or not run
@@ -42,7 +42,7 @@ A number: −log₁₀ of the largest relative error of what is conserved; then 
             }
             Self::Breaks => {
                 "\
-A number: the finest step tried that loses the motion (0.1 rad), in steps to a turn
+A number: the finest step that loses the motion (0.1 rad), in steps to a turn
   ·  every step tried follows it, or none was tried
 "
             }
@@ -57,7 +57,8 @@ A number: turns of the fastest rate until the run with that step is 0.1 rad off
 
     /// Of one cell, three letters at most.
     pub fn sign(self, row: &Row, cell: &Cell) -> String {
-        let nothing = || "·".to_owned();
+        // In the middle, so that a number of three letters beside it reads as one.
+        let nothing = || "· ".to_owned();
         let drift = |of: fn(&Trial) -> Option<&Drift>| {
             let is_run = matches!(cell.verdict, Verdict::Kept | Verdict::Coarse | Verdict::Chaotic | Verdict::Lost);
             cell.best().filter(|_| is_run).and_then(of).map_or_else(nothing, in_letters)
@@ -93,7 +94,7 @@ fn letter(growth: &Growth) -> &'static str {
     }
 }
 
-/// In three letters: 0.4, 12, 128, 4k, 16M.
+/// In three letters: 0.4, 12, 128, 4k, .2M, 16M.
 fn count(value: f64) -> String {
     if value < 9.95 && (value - value.round()).abs() > 0.05 {
         format!("{value:.1}")
@@ -101,7 +102,29 @@ fn count(value: f64) -> String {
         format!("{value:.0}")
     } else if value < 99.5e3 {
         format!("{:.0}k", value / 1e3)
+    } else if value < 0.95e6 {
+        format!("{:.1}M", value / 1e6).trim_start_matches('0').to_owned()
     } else {
         format!("{:.0}M", (value / 1e6).min(99.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_have_three_letters() {
+        let counts = [0.42, 3.0, 12.3, 128.0, 4096.0, 99_400.0, 250_000.0, 16e6, 1e9];
+        assert_eq!(counts.map(count), ["0.4", "3", "12", "128", "4k", "99k", ".2M", "16M", "99M"]);
+    }
+
+    #[test]
+    fn titles_and_legends_fit_into_eighty_columns() {
+        for shown in [Shown::Attitude, Shown::Energy, Shown::Momentum, Shown::Breaks, Shown::Lasts] {
+            // Of the title, `quick: ` comes before it.
+            assert!(shown.title().chars().count() <= 73, "{shown:?}");
+            assert!(shown.legend().lines().all(|line| line.chars().count() <= 80), "{shown:?}");
+        }
     }
 }
