@@ -16,6 +16,7 @@ mod report;
 mod source;
 mod space;
 mod table;
+mod threads;
 
 pub use args::Arguments;
 pub use execute::{asked, execute};

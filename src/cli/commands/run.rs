@@ -14,6 +14,7 @@ use crate::cli::output::{print, print_json, remark};
 use crate::cli::progress::Progress;
 use crate::cli::report::Report;
 use crate::cli::space::{self, NoRoom};
+use crate::cli::threads::{self, NoThreads};
 use crate::propagation::PropagationError;
 use crate::recording::live::LiveViewer;
 use crate::recording::picture::Picture;
@@ -36,6 +37,8 @@ enum RunError {
     Folder { path: PathBuf, source: io::Error },
     #[error(transparent)]
     NoRoom(#[from] NoRoom),
+    #[error(transparent)]
+    NoThreads(#[from] NoThreads),
     #[error("{signal}: {words}", words = stopped(*end, parts))]
     Interrupted {
         signal: Signal,
@@ -56,7 +59,11 @@ pub fn execute(arguments: &RunArguments) -> io::Result<Outcome> {
     let _patient = Patient::new();
     let progress = Progress::new(!arguments.quiet && !arguments.json);
     let record = |plan: Plan| (plan.name.clone(), record(plan, arguments, &progress));
-    let results: Vec<_> = plans.into_par_iter().map(record).collect();
+    let results: Vec<_> = if plans.len() > 1 {
+        plans.into_par_iter().map(record).collect()
+    } else {
+        plans.into_iter().map(record).collect()
+    };
     let mut outcome = Outcome::Done;
     let mut values = Vec::new();
     for (index, (name, result)) in results.into_iter().enumerate() {
@@ -121,6 +128,9 @@ fn plans(arguments: &RunArguments) -> Result<Vec<Plan>, RunError> {
         std::fs::create_dir_all(&arguments.out)
             .map_err(|source| RunError::Folder { path: arguments.out.clone(), source })?;
         space::check(&plans, arguments.formats(), &arguments.out)?;
+    }
+    if plans.len() > 1 {
+        threads::start()?;
     }
     Ok(plans)
 }

@@ -9,6 +9,7 @@ use crate::cli::args::StressArguments;
 use crate::cli::execute::{Outcome, ended};
 use crate::cli::interrupt::{self, Patient, Signal};
 use crate::cli::output::{print, print_json, write};
+use crate::cli::threads::{self, NoThreads};
 use crate::plot::{Format, PlotError};
 use crate::recording::{PartFile, RecordingError};
 use crate::scenario::Method;
@@ -27,6 +28,8 @@ pub enum StressError {
     Plot(#[from] PlotError),
     #[error(transparent)]
     File(#[from] RecordingError),
+    #[error(transparent)]
+    NoThreads(#[from] NoThreads),
 }
 
 /// What is run.
@@ -67,6 +70,7 @@ fn matrix(arguments: &StressArguments) -> Result<Matrix, StressError> {
     }
     let cases = chosen(arguments, depth)?;
     arguments.plot.iter().try_for_each(|path| Format::of(path).map(|_| ()))?;
+    threads::start()?;
     let rows: Vec<Row> = cases.par_iter().with_max_len(1).filter_map(|case| row(case, &methods, depth)).collect();
     if let Some(signal) = interrupt::signal().filter(|_| rows.len() < cases.len()) {
         return Err(StressError::Interrupted { signal, done: rows.len(), all: cases.len() });
