@@ -29,7 +29,7 @@ pub(super) fn parse(opcode: u8, body: &[u8]) -> McapResult<Record<'_>> {
 ///
 /// # Errors
 /// If one is longer.
-pub(super) fn check(opcode: u8, body: &[u8]) -> McapResult<()> {
+fn check(opcode: u8, body: &[u8]) -> McapResult<()> {
     let mut rest = body;
     let holds = fields(opcode).iter().all(|field| pass(field, &mut rest).is_some());
     if holds { Ok(()) } else { Err(McapError::Io(Error::other("a record has a text that is longer than it is"))) }
