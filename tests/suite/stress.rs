@@ -63,6 +63,14 @@ fn chaotic_motions_are_judged_as_far_as_f64_can_follow_them() {
     assert!(row.cells[0].trials.iter().all(|trial| trial.value.is_none()), "{:?}", row.cells[0].trials);
 }
 
+/// A closed form is right for the numbers that it is given, at any time: it is judged there, though roundings of the start
+/// move the motion by more than a radian.
+#[test]
+fn periodic_motions_are_judged_to_their_ends() {
+    let row = stress(&case("rates_1e6_9e9_s"), &[Method::ClosedForm], Depth::Quick);
+    assert_eq!((row.truth.expect("a reference").horizon_s, row.cells[0].verdict), (None, Verdict::Kept));
+}
+
 /// The shortest step is the one that was made, not a mean: a pulse of a microsecond has its own.
 #[test]
 fn short_steps_are_told() {

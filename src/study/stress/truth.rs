@@ -49,13 +49,17 @@ impl Truth {
     /// If no reference can be had.
     pub fn of(body: &PlannedBody, times_s: Vec<f64>) -> Result<Self, ScenarioError> {
         let problem = &body.problem;
-        let mut reference = match long_reference(problem, &times_s) {
+        let long = long_reference(problem, &times_s);
+        let is_periodic = long.is_some();
+        let mut reference = match long {
             Some(reference) => reference,
             None => short_reference(body, &times_s)?,
         };
         let conditions = conditions(problem, &reference, &times_s[..reference.states.len()])?;
-        // The first time is the start, where nothing has moved.
-        let judged = conditions.iter().take_while(|moved| **moved <= Self::HORIZON_RAD).count().max(1);
+        // The first time is the start, where nothing has moved. Motion by its period is known however late, and closed forms
+        // are right for the numbers that they are given.
+        let told = conditions.iter().take_while(|moved| **moved <= Self::HORIZON_RAD).count().max(1);
+        let judged = if is_periodic { times_s.len() } else { told };
         cut(&mut reference.states, judged);
         let horizon_s = times_s.get(judged - 1).copied().filter(|_| judged < times_s.len());
         let omega = &reference.states.angular_velocity;
