@@ -18,8 +18,13 @@ fn harmless(text: &str) -> Cow<'_, str> {
 
 /// Puts `text` on stdout. A reader that has gone away, such as `head`, is no fault.
 pub fn print(text: &str) -> Result<(), io::Error> {
+    print_coloured(&harmless(text))
+}
+
+/// The same with colours of the program's own: `text` holds no name of a file, and no words of one.
+pub fn print_coloured(text: &str) -> Result<(), io::Error> {
     let mut stdout = io::stdout().lock();
-    match stdout.write_all(harmless(text).as_bytes()).and_then(|()| stdout.flush()) {
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }

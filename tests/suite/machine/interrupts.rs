@@ -198,38 +198,13 @@ fn goldens_that_are_interrupted_leave_nothing_behind() {
 /// Hours of work, or a file that does not come: whatever it waits for, signals end it, and no file has a final name.
 #[test]
 fn every_command_is_ended_by_signals() {
-    let hours = "duration_s=1e9";
+    let hours =
+        ["scene.toml", "--set=duration_s=1e9", "--set=sample_every_s=10", "--set=method=\"rk4\"", "--set=step_s=0.1"];
     let work: [&[&str]; 13] = [
         &["stress", "--full", "--plot", "new.svg"],
         &["bench", "scene.toml", "--duration", "1e5", "--budget", "1e6", "--csv", "new.csv"],
-        &[
-            "plot",
-            "scene.toml",
-            "--set",
-            hours,
-            "--set",
-            "sample_every_s=10",
-            "--set",
-            "method=\"rk4\"",
-            "--set",
-            "step_s=0.1",
-            "-o",
-            "new.svg",
-        ],
-        &[
-            "report",
-            "scene.toml",
-            "--set",
-            hours,
-            "--set",
-            "sample_every_s=10",
-            "--set",
-            "method=\"rk4\"",
-            "--set",
-            "step_s=0.1",
-            "-o",
-            "new.html",
-        ],
+        &[&["plot", "-o", "new.svg"], &hours[..]].concat(),
+        &[&["report", "-o", "new.html"], &hours[..]].concat(),
         &["inspect", "fifo.csv"],
         &["digest", "fifo.csv"],
         &["verify", "fifo.csv"],

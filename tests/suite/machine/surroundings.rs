@@ -148,3 +148,22 @@ fn on_a_terminal_of_any_width_a_run_is_done_and_leaves_it_as_it_was() {
         assert_eq!(hidden, shown.matches("\u{1b}[?25h").count(), "a cursor that is hidden is shown again");
     }
 }
+
+/// A matrix in colours on a terminal, and without where they are not wanted.
+#[test]
+fn colours_of_a_terminal_are_colours() {
+    let folder = prepared();
+    let stress = format!("exec '{}' stress --cases rest --methods auto", env!("CARGO_BIN_EXE_polhode"));
+    for (unwanted, coloured) in [("", true), ("1", false)] {
+        let script = Command::new("script")
+            .current_dir(folder.path())
+            .args(["-qec", &stress, "/dev/null"])
+            .env("NO_COLOR", unwanted)
+            .output();
+        let Ok(output) = script else { return };
+        let shown = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(output.status.code(), Some(0), "{shown}");
+        assert_eq!(shown.contains("\u{1b}[32m16=\u{1b}[0m"), coloured, "{shown}");
+        assert!(!shown.contains("u{1b}") && shown.contains("16="), "{shown}");
+    }
+}

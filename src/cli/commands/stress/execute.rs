@@ -8,7 +8,7 @@ use super::{json, matrix, plot};
 use crate::cli::args::StressArguments;
 use crate::cli::execute::{Outcome, ended};
 use crate::cli::interrupt::{self, Patient, Signal};
-use crate::cli::output::{print, print_json, write};
+use crate::cli::output::{print_coloured, print_json, write};
 use crate::cli::threads::{self, NoThreads};
 use crate::plot::{Format, PlotError};
 use crate::recording::{PartFile, RecordingError};
@@ -50,7 +50,7 @@ pub fn execute(arguments: &StressArguments) -> io::Result<Outcome> {
     if arguments.json {
         print_json(&Value::Array(matrix.rows.iter().map(json::row).collect()))?;
     } else {
-        print(&matrix::as_text(&matrix, &arguments.show))?;
+        print_coloured(&matrix::as_text(&matrix, &arguments.show))?;
     }
     let cells = || matrix.rows.iter().flat_map(|row| &row.cells);
     let is_wrong = cells().any(|cell| cell.verdict == Verdict::Wrong);
