@@ -9,7 +9,8 @@ use clap::error::ErrorKind;
 use super::Arguments;
 use super::args::Command;
 use super::commands::{
-    bench, compare, convert, digest, golden, inspect, list, plan, plot, recover, report, run, stress, verify, view,
+    bench, check, compare, convert, digest, golden, inspect, list, new, plan, plot, recover, report, run, schema,
+    stress, verify, view,
 };
 use super::interrupt::{self, Signal};
 use super::output::remark;
@@ -59,6 +60,9 @@ pub fn execute(arguments: Arguments) -> ExitCode {
     interrupt::watch();
     let outcome = match arguments.command {
         Command::List(arguments) => list::execute(&arguments),
+        Command::New(arguments) => Ok(new::execute(&arguments)),
+        Command::Check(arguments) => check::execute(&arguments),
+        Command::Schema => schema::execute(),
         Command::Run(arguments) => run::execute(&arguments),
         Command::Plan(arguments) => plan::execute(&arguments),
         Command::Bench(arguments) => bench::execute(&arguments),
@@ -101,7 +105,17 @@ pub(super) fn ended(error: &impl std::fmt::Display) -> Outcome {
 
 /// The scene that `name` means: a TOML file, or one that comes with the program.
 pub(super) fn scenario(name: &str, assignments: &[String]) -> Result<Scenario, ScenarioError> {
+    file(name).map_or_else(|| Scenario::named(name, assignments), |path| Scenario::read(path, assignments))
+}
+
+/// The same, or everything that is wrong with it.
+pub(super) fn scenario_or_faults(name: &str, assignments: &[String]) -> Result<Scenario, Vec<ScenarioError>> {
+    file(name).map_or_else(|| Scenario::named_all(name, assignments), |path| Scenario::read_all(path, assignments))
+}
+
+/// The file that is meant, if it is one.
+fn file(name: &str) -> Option<&Path> {
     let path = Path::new(name);
     let is_file = path.extension().is_some_and(|extension| extension == "toml") || path.components().count() > 1;
-    if is_file { Scenario::read(path, assignments) } else { Scenario::named(name, assignments) }
+    is_file.then_some(path)
 }

@@ -10,6 +10,7 @@ mod folder;
 mod growth;
 mod interrupt;
 mod layout;
+mod names;
 mod output;
 mod progress;
 mod report;

@@ -2,8 +2,10 @@
 
 mod certificate;
 mod check;
+mod cost;
 mod error;
 mod event;
+mod faults;
 #[cfg(feature = "serde")]
 mod file;
 mod grid;
@@ -16,10 +18,13 @@ mod plan;
 mod planned;
 mod run;
 mod scene;
+#[cfg(feature = "schema")]
+mod schema;
 mod watch;
 
 pub use certificate::Certificate;
 pub use check::{CheckKind, CheckOutcome, CheckPlan};
+pub use cost::Cost;
 pub use error::{Excerpt, Refused, ScenarioError};
 pub use event::{Event, EventKind};
 pub use grid::Grid;
@@ -33,3 +38,5 @@ pub use scene::{
     Frame, GravityGradientSpec, MeshSpec, Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance,
     RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, TorqueSpecs, TorusSpec, ValueSpec,
 };
+#[cfg(feature = "schema")]
+pub use schema::schema;

@@ -10,6 +10,8 @@ mod cli_compare;
 #[cfg(feature = "cli")]
 mod cli_files;
 #[cfg(feature = "cli")]
+mod cli_scenes;
+#[cfg(feature = "cli")]
 mod cli_stress;
 mod closed_torques;
 mod compare;
@@ -51,9 +53,13 @@ mod mcap_format;
 #[cfg(feature = "serde")]
 mod mesh_files;
 mod motions;
+#[cfg(feature = "serde")]
+mod near_misses;
 mod numerics;
 mod oracle;
 mod order;
+#[cfg(feature = "serde")]
+mod overrides;
 mod particles;
 mod planned;
 #[cfg(feature = "cli")]
@@ -73,6 +79,8 @@ mod same_bytes;
 mod same_motion;
 #[cfg(feature = "serde")]
 mod scenarios;
+#[cfg(feature = "schema")]
+mod scene_schema;
 mod stress;
 mod torque_laws;
 mod trajectories;

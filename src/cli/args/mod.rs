@@ -20,13 +20,15 @@ pub(super) use overrides::Overrides;
 pub(super) use pictures::{PlotArguments, ReportArguments};
 pub(super) use recordings::{ConvertArguments, InspectArguments, RecoverArguments, ViewArguments};
 pub(super) use run::{FileFormat, RunArguments};
-pub(super) use scenes::{ListArguments, PlanArguments};
+pub(super) use scenes::{CheckArguments, ListArguments, NewArguments, PlanArguments, Template};
 pub(super) use stress::{Shown, StressArguments};
 pub(super) use verify::VerifyArguments;
 
 const EXAMPLES: &str = "\
 Examples:
   polhode list                                    what scenes there are
+  polhode new my_scene --template pivot           a scene to begin with; --from lagrange_top copies that one
+  polhode check my_scene.toml                     is it sound, by which path would it run, at what cost?
   polhode run dzhanibekov                         recordings/dzhanibekov.mcap, .layout.json and .rrd
   polhode run --all --out out --force             every scene
   polhode run my_scene.toml --format csv          a scene of your own, as a table
@@ -68,6 +70,12 @@ pub struct Arguments {
 pub(super) enum Command {
     /// List the scenes that come with the program.
     List(ListArguments),
+    /// Write a commented scene that runs, to begin with.
+    New(NewArguments),
+    /// Hold scenes to every rule without running them; say each body's path and cost, or everything that is wrong.
+    Check(CheckArguments),
+    /// Print the JSON Schema of scenes, for editors: keys, types, units, ranges, defaults.
+    Schema,
     /// Run scenes, record them, measure their checks.
     #[command(after_help = EXAMPLES)]
     Run(RunArguments),

@@ -4,29 +4,40 @@ use super::rules::{optional_vector, rotation, unused, vector};
 use super::{channels, loads, mass, path, work};
 use crate::body::{AngularVelocity, Attitude, MassProperties, State};
 use crate::dynamics::Problem;
+use crate::scenario::faults::{Faults, MOST_FAULTS};
 use crate::scenario::watch::wants_translation;
 use crate::scenario::{BodySpec, Grid, Key, PlannedBody, Refusal, Scenario};
 
 /// Bodies of a scene: as many as a recording can have.
 pub const MOST_BODIES: usize = 65_535;
 
-/// All bodies, each with its path.
-pub fn plan(scenario: &Scenario, grid: &Grid) -> Result<Vec<PlannedBody>, Refusal> {
+/// All bodies, each with its path, or what is refused of each.
+pub fn plan(scenario: &Scenario, grid: &Grid) -> Result<Vec<PlannedBody>, Faults<Refusal>> {
     let count = scenario.body.len();
     if count > MOST_BODIES {
-        return Err(Key::root("body").refuse(format_args!("{count} bodies: at most {MOST_BODIES}")));
+        return Err(Key::root("body").refuse(format_args!("{count} bodies: at most {MOST_BODIES}")).into());
     }
-    let mut bodies: Vec<PlannedBody> = Vec::new();
+    let (mut bodies, mut refusals) = (Vec::new(), Vec::new());
     let mut names = HashSet::new();
     for (index, spec) in scenario.body.iter().enumerate() {
         let key = Key::root("body").index(index);
-        let name = name(&key, spec, count)?;
-        if !names.insert(name.clone()) {
-            return Err(key.field("name").refuse(format_args!("{name:?} is the name of two bodies")));
+        let planned = name(&key, spec, count).and_then(|name| {
+            if !names.insert(name.clone()) {
+                return Err(key.field("name").refuse(format_args!("{name:?} is the name of two bodies")));
+            }
+            body(scenario, grid, &key, spec, name)
+        });
+        match planned {
+            Ok(body) => bodies.push(body),
+            // What the scene says of all bodies is refused once.
+            Err(refusal) if refusals.contains(&refusal) => {}
+            Err(refusal) => refusals.push(refusal),
         }
-        bodies.push(body(scenario, grid, &key, spec, name)?);
+        if refusals.len() == MOST_FAULTS {
+            break;
+        }
     }
-    Ok(bodies)
+    Faults::of(refusals).map_or(Ok(bodies), Err)
 }
 
 fn name(key: &Key, spec: &BodySpec, count: usize) -> Result<String, Refusal> {

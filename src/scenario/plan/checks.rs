@@ -1,5 +1,6 @@
 use super::channels::{missing_law, named};
 use super::rules::{finite, not_negative, positive, unit_vector};
+use crate::scenario::nearest;
 use crate::scenario::{CheckKind, CheckPlan, Key, PlannedBody, Refusal, Scenario, ValueSpec};
 use crate::telemetry::Channel;
 
@@ -80,6 +81,8 @@ fn body(key: &Key, name: Option<&str>, bodies: &[PlannedBody]) -> Result<usize, 
     let Some(name) = name else { return Ok(0) };
     bodies.iter().position(|body| body.name == name).ok_or_else(|| {
         let known: Vec<_> = bodies.iter().map(|body| body.name.as_str()).collect();
-        key.field("body").refuse(format_args!("{name:?} is no body of this scene: {}", known.join(", ")))
+        let hint = nearest(name, known.iter().copied())
+            .map_or_else(|| format!(": {}", known.join(", ")), |near| format!("; did you mean {near:?}?"));
+        key.field("body").refuse(format_args!("{name:?} is no body of this scene{hint}"))
     })
 }

@@ -1,4 +1,5 @@
 use super::{bodies, checks, events, sampling};
+use crate::scenario::faults::Faults;
 use crate::scenario::{Key, Plan, PlannedBody, Refusal, Scenario, ScenarioError};
 
 impl Plan {
@@ -7,14 +8,22 @@ impl Plan {
     /// # Errors
     /// If a key breaks a rule: the message names file, key, value and rule, with the line where the text is at hand.
     pub fn new(scenario: &Scenario) -> Result<Self, ScenarioError> {
-        plan(scenario).map_err(|refusal| refusal.locate(scenario))
+        plan(scenario).map_err(|refusals| refusals.first.locate(scenario))
+    }
+
+    /// As [`Self::new`], and where that fails what is wrong with the sampling, with each body and with the checks.
+    ///
+    /// # Errors
+    /// As [`Self::new`]; there is one at least.
+    pub fn new_all(scenario: &Scenario) -> Result<Self, Vec<ScenarioError>> {
+        plan(scenario).map_err(|refusals| refusals.map(|refusal| refusal.locate(scenario)).all())
     }
 }
 
-fn plan(scenario: &Scenario) -> Result<Plan, Refusal> {
+fn plan(scenario: &Scenario) -> Result<Plan, Faults<Refusal>> {
     let grid = sampling::grid(scenario)?;
     if scenario.body.is_empty() {
-        return Err(Key::root("body").refuse("a scene needs at least one [[body]]"));
+        return Err(Key::root("body").refuse("a scene needs at least one [[body]]").into());
     }
     let bodies = bodies::plan(scenario, &grid)?;
     let or = |text: &str, other: &str| if text.is_empty() { other.to_owned() } else { text.to_owned() };

@@ -1,73 +1,88 @@
+#[cfg(feature = "schema")]
+use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
+
+#[cfg(feature = "schema")]
+use crate::scenario::schema::structure;
 
 /// What the motion must show, by kind; any number of each.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct Checks {
-    /// Time from one flip to the next but one: the period of the polhode.
+    /// Twice the time between sign changes of ω along the middle principal axis: the period of the polhode.
     pub flip_period: Vec<FlipPeriodSpec>,
-    /// The energy law, at a thousand times over the duration.
+    /// Largest relative change of the energy at a thousand times over the duration; where a law holds.
     pub energy: Vec<DriftSpec>,
-    /// The momentum law, at a thousand times over the duration.
+    /// Largest relative departure of L from its law at a thousand times over the duration; where a law holds.
     pub momentum: Vec<DriftSpec>,
-    /// Mean rate at which an axis goes round.
+    /// Mean rate at which the body's axis goes round an axis of the world, or ω round an axis of the body.
     pub precession_rate: Vec<PrecessionRateSpec>,
-    /// A channel's component at a time.
+    /// A component of a channel at a time. The quaternion's sign is continuous from the start.
     pub value: Vec<ValueSpec>,
 }
 
 /// Period of the flips: of the principal component of ω that changes sign.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct FlipPeriodSpec {
     /// Which body; left out: the first.
     #[cfg_attr(feature = "serde", serde(default))]
     pub body: Option<String>,
-    /// s.
+    /// What the period must be, s.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub expected_s: f64,
-    /// s.
+    /// How far off it may be, s.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub tolerance_s: f64,
 }
 
 /// A conserved quantity.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct DriftSpec {
     /// Which body; left out: the first.
     #[cfg_attr(feature = "serde", serde(default))]
     pub body: Option<String>,
     /// Largest relative change allowed.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub tolerance: f64,
 }
 
 /// Mean rate at which the body's axis goes round an axis of the world, or ω goes round an axis of the body.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct PrecessionRateSpec {
     /// Which body; left out: the first.
     #[cfg_attr(feature = "serde", serde(default))]
     pub body: Option<String>,
-    /// `world` (the default): the body axis goes round `around`, or round L. `body`: ω goes round the body axis.
+    /// `world`: the body's `axis` goes round `around`. `body`: ω goes round `axis`; left out: `world`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub frame: Frame,
-    /// The body's axis, in body axes.
+    /// The body's axis, in body axes, of length 1.
     pub axis: [f64; 3],
-    /// The world's axis, in world axes; left out: L at t = 0.
+    /// The world's axis, in world axes, of length 1; left out: L at t = 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub around: Option<[f64; 3]>,
     /// Over which time the rate is averaged, s; left out: the duration.
     #[cfg_attr(feature = "serde", serde(default))]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub over_s: Option<f64>,
-    /// rad/s.
+    /// What the rate must be, rad/s.
     pub expected_rad_s: f64,
-    /// rad/s.
+    /// How far off it may be, rad/s.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub tolerance_rad_s: f64,
 }
 
 /// Which axes a check speaks of.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub enum Frame {
     /// Inertial axes.
     #[default]
@@ -79,19 +94,24 @@ pub enum Frame {
 /// One component of one channel at one time.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct ValueSpec {
     /// Which body; left out: the first.
     #[cfg_attr(feature = "serde", serde(default))]
     pub body: Option<String>,
     /// The channel's name.
+    #[cfg_attr(feature = "schema", schemars(schema_with = "structure::channel"))]
     pub channel: String,
-    /// `w`, `x`, `y`, `z`; left out for a scalar.
+    /// Which component; left out: the channel is a scalar.
     #[cfg_attr(feature = "serde", serde(default))]
+    #[cfg_attr(feature = "schema", schemars(extend("enum" = ["w", "x", "y", "z"])))]
     pub component: Option<String>,
-    /// s.
+    /// When, s.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub time_s: f64,
-    /// In the channel's unit.
+    /// What it must be, in the channel's unit.
     pub expected: f64,
-    /// In the channel's unit.
+    /// How far off it may be, in the channel's unit.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub tolerance: f64,
 }

@@ -1,3 +1,5 @@
+#[cfg(feature = "schema")]
+use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
@@ -6,13 +8,16 @@ macro_rules! windowed {
         $(#[$doc])*
         #[derive(Debug, Clone, PartialEq)]
         #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
+        #[cfg_attr(feature = "schema", derive(JsonSchema))]
         pub struct $name {
             $($(#[$field_doc])* pub $field: $kind,)+
             /// First instant at which it acts, s; left out: from the beginning.
             #[cfg_attr(feature = "serde", serde(default))]
+            #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
             pub start_s: Option<f64>,
-            /// First instant at which it no longer acts, s; left out: to the end.
+            /// First instant at which it no longer acts, s, after `start_s`; left out: to the end.
             #[cfg_attr(feature = "serde", serde(default))]
+            #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
             pub end_s: Option<f64>,
         }
     };
@@ -21,6 +26,7 @@ macro_rules! windowed {
 /// Torques by kind; any number of each.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct TorqueSpecs {
     /// Constant in body axes.
     pub constant_body: Vec<MomentSpec>,
@@ -28,44 +34,47 @@ pub struct TorqueSpecs {
     pub constant_world: Vec<MomentSpec>,
     /// τ = −c ω.
     pub linear_damping: Vec<DampingSpec>,
-    /// τ = −c L.
+    /// τ = −c L: L keeps its direction and dies away.
     pub momentum_brake: Vec<BrakeSpec>,
-    /// On a circular orbit in the world x-y plane, from (1, 0, 0) at t = 0.
+    /// Circular orbit in the world x-y plane, from (1, 0, 0) at t = 0; not with a pivot.
     pub gravity_gradient: Vec<GravityGradientSpec>,
 }
 
 windowed! {
     /// A constant moment.
     MomentSpec {
-        /// N m.
+        /// The moment, N m.
         moment_n_m: [f64; 3],
     }
 }
 windowed! {
     /// Damping in proportion to ω.
     DampingSpec {
-        /// c, N m s, not negative.
+        /// c, N m s.
+        #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
         coefficient_n_m_s: f64,
     }
 }
 windowed! {
     /// A brake in proportion to L.
     BrakeSpec {
-        /// c, 1/s, not negative.
+        /// c, 1/s.
+        #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
         rate_per_s: f64,
     }
 }
 windowed! {
     /// The gravity gradient's torque.
     GravityGradientSpec {
-        /// n, rad/s, of the orbit.
+        /// n of the orbit, rad/s.
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
         mean_motion_rad_s: f64,
     }
 }
 windowed! {
     /// A force at a point of the body.
     ForceSpec {
-        /// N.
+        /// The force, N.
         force_n: [f64; 3],
         /// Where it acts, in body axes, from the body's origin, m.
         point_m: [f64; 3],
@@ -75,9 +84,10 @@ windowed! {
 /// Forces by kind; any number of each.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct ForceSpecs {
-    /// Constant in body axes: a thruster.
+    /// A thruster: constant in body axes, at a point in body axes.
     pub constant_body: Vec<ForceSpec>,
-    /// Constant in world axes.
+    /// Constant in world axes, at a point in body axes.
     pub constant_world: Vec<ForceSpec>,
 }

@@ -1,33 +1,47 @@
 use std::path::PathBuf;
 
+#[cfg(feature = "schema")]
+use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
 use super::{BodySpec, Checks};
+#[cfg(feature = "schema")]
+use crate::scenario::schema::structure;
 
 /// What was asked. [`Plan::new`](crate::scenario::Plan::new) checks it.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+#[cfg_attr(feature = "schema", derive(JsonSchema), schemars(title = "A scene of polhode", transform = structure::scene))]
 pub struct Scenario {
-    /// One line: what this is.
+    /// One line: what this is; left out: the scene's name.
     pub title: String,
-    /// What to see in it.
+    /// What to see in it, and why; left out: empty.
     pub summary: String,
-    /// How long, s. May be left out where sample times are listed.
+    /// How long, s; needed with `sample_every_s`; left out: to the last of `sample_times_s`.
+    #[cfg_attr(feature = "schema", schemars(range(max = 9e9), extend("exclusiveMinimum" = 0)))]
     pub duration_s: Option<f64>,
-    /// Time between samples, s.
+    /// Time between samples, s: sample n is at n times this; at most the duration and 1e9 samples; left out: the scene has
+    /// `sample_times_s`.
+    #[cfg_attr(feature = "schema", schemars(range(min = 1e-9)))]
     pub sample_every_s: Option<f64>,
-    /// Sample times, s, in place of a fixed interval: ascending, from 0 on.
+    /// Sample times one by one, s: from 0 on, ascending by 1e-9 or more; left out: the scene has `sample_every_s`.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1), inner(range(min = 0, max = 9e9))))]
     pub sample_times_s: Option<Vec<f64>>,
-    /// Names of channels; left out: those that the scene makes interesting.
+    /// What is recorded: names of [channels](#channels), none twice; left out: what the scene makes interesting.
+    #[cfg_attr(feature = "schema", schemars(schema_with = "structure::channels"))]
     pub channels: Option<Vec<String>>,
-    /// How to propagate.
+    /// How to propagate; left out: `auto`.
     pub method: Method,
-    /// Attitude error to keep over the whole run, rad; not for closed forms asked for by name, nor for fixed steps.
+    /// Attitude error to keep over the whole run, rad, by the cheapest path that does: refused where f64 cannot promise it,
+    /// and for closed forms asked for by name and fixed steps; left out: as tight as f64 carries.
+    #[cfg_attr(feature = "schema", schemars(range(min = 2e-15, max = 0.1)))]
     pub tolerance_rad: Option<f64>,
-    /// Step, s, for the methods that do not.
+    /// The longest step, s, of a method with a fixed step, which needs it; for those alone; left out: the method needs none.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub step_s: Option<f64>,
-    /// The bodies, each with its own motion.
+    /// The bodies, each with its own motion: they do not act on each other.
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
     pub body: Vec<BodySpec>,
     /// What the motion must show.
     pub check: Checks,
@@ -50,6 +64,7 @@ pub struct Scenario {
 /// How to propagate.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub enum Method {
     /// The best there is for each body.
     #[default]
@@ -171,11 +186,12 @@ impl Method {
 /// Where a scene's numbers come from.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct Provenance {
-    /// Author, title, place, year.
+    /// Author, title, place, year; left out: empty.
     pub source: String,
-    /// Where to read it.
+    /// Where to read it; left out: empty.
     pub url: String,
-    /// What was taken from it, and how the numbers were checked.
+    /// What was taken from it, and how the numbers were checked; left out: empty.
     pub note: String,
 }

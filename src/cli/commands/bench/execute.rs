@@ -8,10 +8,11 @@ use super::{clock, csv, plot, report};
 use crate::cli::args::BenchArguments;
 use crate::cli::execute::{Outcome, ended, scenario};
 use crate::cli::interrupt::{self, Patient, Signal};
+use crate::cli::names::method;
 use crate::cli::output::{print, print_json, write};
 use crate::plot::{Format, PlotError};
 use crate::recording::{PartFile, RecordingError};
-use crate::scenario::{Method, Plan, ScenarioError};
+use crate::scenario::{Plan, ScenarioError};
 use crate::study::{Request, WorkPrecision, work_precision};
 
 /// Why there is no result.
@@ -21,7 +22,7 @@ pub enum BenchError {
     Scenario(#[from] ScenarioError),
     #[error("{0}: interrupted: nothing is told or written")]
     Interrupted(Signal),
-    #[error("--methods: {0:?} is no method: take {names}", names = names().join(", "))]
+    #[error("{0}")]
     UnknownMethod(String),
     #[error("--errors: {0:?} rad must be positive and at most π")]
     BadError(f64),
@@ -71,10 +72,7 @@ fn studies(arguments: &BenchArguments) -> Result<Studies, BenchError> {
 }
 
 fn request(arguments: &BenchArguments) -> Result<Request, BenchError> {
-    let method = |name: &String| {
-        let found = Method::ALL.into_iter().find(|method| method.key() == name);
-        found.ok_or_else(|| BenchError::UnknownMethod(name.clone()))
-    };
+    let method = |name: &String| method(name).map_err(BenchError::UnknownMethod);
     let mut request = Request { clock: clock::clock, budget_s: arguments.budget, ..Request::default() };
     if !arguments.methods.is_empty() {
         request.methods = arguments.methods.iter().map(method).collect::<Result<_, _>>()?;
@@ -94,10 +92,6 @@ fn check_names(arguments: &BenchArguments) -> Result<(), BenchError> {
         return Err(BenchError::NoTable(shown(path)));
     }
     arguments.plot.iter().try_for_each(|path| Format::of(path).map(|_| ()).map_err(BenchError::from))
-}
-
-fn names() -> Vec<&'static str> {
-    Method::ALL.into_iter().map(Method::key).collect()
 }
 
 fn files(arguments: &BenchArguments, studies: &Studies) -> Result<(), BenchError> {

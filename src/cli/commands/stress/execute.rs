@@ -8,6 +8,7 @@ use super::{json, matrix, plot};
 use crate::cli::args::StressArguments;
 use crate::cli::execute::{Outcome, ended};
 use crate::cli::interrupt::{self, Patient, Signal};
+use crate::cli::names::{hint, method};
 use crate::cli::output::{print_coloured, print_json, write};
 use crate::cli::threads::{self, NoThreads};
 use crate::plot::{Format, PlotError};
@@ -18,9 +19,9 @@ use crate::study::{Case, Depth, Row, Verdict, cases};
 /// Why there is no result.
 #[derive(Debug, Error)]
 pub enum StressError {
-    #[error("--methods: {0:?} is no method: take {names}", names = names())]
+    #[error("{0}")]
     UnknownMethod(String),
-    #[error("--cases: {0:?} is no case: take {cases}", cases = case_names())]
+    #[error("--cases: {0:?} is no case: {hint}", hint = case_hint(.0))]
     UnknownCase(String),
     #[error("{signal}: interrupted: of {all} cases, {done} were done")]
     Interrupted { signal: Signal, done: usize, all: usize },
@@ -60,10 +61,7 @@ pub fn execute(arguments: &StressArguments) -> io::Result<Outcome> {
 
 fn matrix(arguments: &StressArguments) -> Result<Matrix, StressError> {
     let depth = if arguments.full { Depth::Full } else { Depth::Quick };
-    let method = |name: &String| {
-        let found = Method::ALL.into_iter().find(|method| method.key() == name);
-        found.ok_or_else(|| StressError::UnknownMethod(name.clone()))
-    };
+    let method = |name: &String| method(name).map_err(StressError::UnknownMethod);
     let mut methods = arguments.methods.iter().map(method).collect::<Result<Vec<_>, _>>()?;
     if methods.is_empty() {
         methods = Method::ALL.to_vec();
@@ -100,12 +98,9 @@ fn chosen(arguments: &StressArguments, depth: Depth) -> Result<Vec<Case>, Stress
     Ok(all.into_iter().filter(is_chosen).collect())
 }
 
-fn names() -> String {
-    Method::ALL.map(Method::key).join(", ")
-}
-
-fn case_names() -> String {
-    cases().iter().map(|case| case.key).collect::<Vec<_>>().join(", ")
+fn case_hint(name: &str) -> String {
+    let cases = cases();
+    hint(name, &cases.iter().map(|case| case.key).collect::<Vec<_>>())
 }
 
 fn draw(arguments: &StressArguments, matrix: &Matrix) -> Result<(), StressError> {
