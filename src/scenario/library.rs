@@ -8,6 +8,9 @@ macro_rules! scenes {
 }
 
 scenes![
+    "apophis",
+    "axial_chirp",
+    "book",
     "boxes_benchmark",
     "constant_body_torque",
     "constant_world_torque",
@@ -18,11 +21,18 @@ scenes![
     "free_precession_oblate",
     "free_precession_prolate",
     "gravity_gradient",
+    "gravity_probe_b",
     "lagrange_top",
+    "lro",
+    "momentum_brake",
+    "separatrix",
     "spin_up",
     "tennis_racket",
     "thrown_hammer",
     "thruster_pulses",
+    "tiangong_1",
+    "toutatis",
+    "transverse_spin_up",
 ];
 
 /// Their names, in alphabetical order.

@@ -97,7 +97,10 @@ fn bodies_take_a_closed_form_where_one_is_known_and_taylor_series_elsewhere() {
                 Path::ClosedForm => body.problem.loads.is_empty(),
                 Path::LagrangeTop => name == "lagrange_top",
                 Path::AxialTorque => name == "spin_up",
-                Path::Taylor { .. } => !["lagrange_top", "spin_up"].contains(&name) && !body.problem.loads.is_empty(),
+                Path::MomentumBrake => name == "momentum_brake",
+                Path::Taylor { .. } => {
+                    !["lagrange_top", "momentum_brake", "spin_up"].contains(&name) && !body.problem.loads.is_empty()
+                }
                 _ => false,
             };
             assert!(is_as_expected, "{name}: {} by {}", body.name, body.path.name());
@@ -188,6 +191,8 @@ fn examples_of_the_manual_are_scenes_that_pass_their_checks() {
 const CERTIFIED: f64 = 2e-14;
 /// The same where a swing all but reaches upright, again and again: there a rounding of the start grows a thousandfold.
 const CERTIFIED_NEAR_UPRIGHT: f64 = 2e-13;
+/// Some hundred times as many turns as the reference can follow: its certificate must say that it does not reach.
+const BEYOND_REACH: &str = "gravity_probe_b";
 /// Of position, m, where distances are metres.
 const CERTIFIED_M: f64 = 2e-15;
 
@@ -199,6 +204,10 @@ fn every_scene_is_certified_to_rounding_to_its_end() {
         assert_eq!(certificates.len(), plan.bodies.len(), "{name}");
         for (body, certificate) in plan.bodies.iter().zip(certificates) {
             println!("{name}, {}: {certificate:?}", body.name);
+            assert_eq!(certificate.is_whole, name != BEYOND_REACH, "{name}: {certificate:?}");
+            if !certificate.is_whole {
+                continue;
+            }
             let relative = [
                 certificate.attitude_rad,
                 Some(certificate.angular_velocity_relative),
@@ -212,7 +221,7 @@ fn every_scene_is_certified_to_rounding_to_its_end() {
                 body.name
             );
             assert_eq!(certificate.position_m.is_some(), body.problem.wants_translation, "{name}");
-            assert!(certificate.is_whole && certificate.reference_uncertainty < 1e-18, "{name}: {certificate:?}");
+            assert!(certificate.reference_uncertainty < 1e-18, "{name}: {certificate:?}");
             assert!((0.0..=certificate.covered_to_s).contains(&certificate.worst_at_s), "{name}: {certificate:?}");
             assert_eq!(certificate.covered_to_s.to_bits(), plan.grid.end().to_bits(), "{name}");
             assert_eq!(certificate.method, body.path.name(), "{name}");
