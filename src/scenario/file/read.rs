@@ -19,7 +19,7 @@ impl Scenario {
         Self::from_file(path, overrides).map_err(|faults| faults.first)
     }
 
-    /// As [`Self::read`], and where that fails every fault that can be told apart, in the order of the text.
+    /// As [`Self::read`], and where that fails every fault that can be told apart, in the order in which they are met.
     ///
     /// # Errors
     /// As [`Self::read`].
