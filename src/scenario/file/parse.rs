@@ -55,7 +55,8 @@ pub fn scene(text: &str) -> Result<Scenario, Faults<Fault>> {
     };
     let mut faults = Faults::from(met(&error));
     // Without what is wrong, the next fault shows.
-    while Place::of(&error).is_some_and(|place| remove_from_table(rest.get_mut(), &place)) && faults.others.len() < MOST_FAULTS
+    while faults.others.len() + 1 < MOST_FAULTS
+        && Place::of(&error).is_some_and(|place| remove_from_table(rest.get_mut(), &place))
     {
         error = match read(&rest) {
             Ok(_) => break,
