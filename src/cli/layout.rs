@@ -8,16 +8,32 @@ use crate::scenario::{Plan, PlannedBody};
 use crate::telemetry::Channel;
 
 /// Channels that share a plot, and its title.
-const PLOTS: [(&str, &[Channel]); 6] = [
+const PLOTS: [(&str, &[Channel]); 15] = [
     ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
     ("tilt (rad)", &[Channel::Tilt]),
     ("precession rate (rad/s)", &[Channel::PrecessionRate]),
     ("L in world axes (N m s)", &[Channel::AngularMomentumWorld]),
     (
         "energy (J)",
-        &[Channel::RotationalEnergy, Channel::TranslationalEnergy, Channel::PotentialEnergy, Channel::TotalEnergy],
+        &[
+            Channel::RotationalEnergy,
+            Channel::TranslationalEnergy,
+            Channel::PotentialEnergy,
+            Channel::TotalEnergy,
+            Channel::KineticEnergy,
+            Channel::JacobiIntegral,
+        ],
     ),
     ("drift, relative (1e-15)", &[Channel::EnergyDrift, Channel::MomentumDrift, Channel::Slip]),
+    ("precession, nutation, spin (rad)", &[Channel::FigureAngles]),
+    ("rates of precession, nutation, spin (rad/s)", &[Channel::FigureRates]),
+    ("tilt from L, phase on the polhode (rad)", &[Channel::MomentumTilt, Channel::PolhodePhase]),
+    ("distance from the separatrix (1)", &[Channel::SeparatrixDistance]),
+    ("Kovalevskaya's integral (rad⁴/s⁴)", &[Channel::KovalevskayaIntegral]),
+    ("Euler angles about z, x, z (rad)", &[Channel::EulerZxz]),
+    ("Euler angles about z, y, z (rad)", &[Channel::EulerZyz]),
+    ("Euler angles about z, y, x (rad)", &[Channel::EulerZyx]),
+    ("Euler angles about x, y, z (rad)", &[Channel::EulerXyz]),
 ];
 
 /// Okabe and Ito's colours, as the other format draws x, y, z and what follows.

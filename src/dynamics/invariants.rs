@@ -38,8 +38,14 @@ pub fn potential_energy(torque: &Torque, moments: PrincipalMoments, time: f64, s
 }
 
 /// ½ ω·Iω + 3/2 n² r·I r − n `L_z`, J: what a body on a circular orbit keeps, its energy as seen from the turning frame.
+///
+/// As ½ Ω·IΩ + 3/2 n² r·I r − ½ n² z·I z with Ω = ω − n z the rate seen from the orbit and z its normal in the body, which
+/// is the same `[Hughes86]`: of a body that follows the orbit, Ω is small, and no large terms cancel.
 #[must_use]
 pub fn jacobi_integral(mean_motion: f64, moments: PrincipalMoments, time: f64, state: &State) -> f64 {
-    let gradient = potential_energy(&Torque::GravityGradient { mean_motion }, moments, time, state).unwrap_or(0.0);
-    rotational_energy(moments, state) + gradient - mean_motion * momentum_in_world(moments, state).z
+    let normal = state.attitude.to_body(&Vector3::z());
+    let radial = state.attitude.to_body(&radial_direction(mean_motion, time));
+    let relative = state.angular_velocity.in_body() - mean_motion * normal;
+    let inertia = |v: &Vector3<f64>| moments.vector().dot(&v.component_mul(v));
+    0.5 * inertia(&relative) + mean_motion * mean_motion * (1.5 * inertia(&radial) - 0.5 * inertia(&normal))
 }

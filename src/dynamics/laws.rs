@@ -1,6 +1,8 @@
 use nalgebra::Vector3;
 
-use super::invariants::{momentum_in_world, potential_energy, rotational_energy, translational_energy};
+use super::invariants::{
+    jacobi_integral, momentum_in_world, potential_energy, rotational_energy, translational_energy,
+};
 use super::{Load, Problem, Torque, Window};
 use crate::body::State;
 
@@ -64,6 +66,19 @@ impl Problem {
             }
         }
         Some(law)
+    }
+
+    /// Jacobi's integral in `state` at `time`, J; `None` unless one gravity gradient acts, all the time, alone or with other
+    /// loads (which then change it).
+    #[must_use]
+    pub fn jacobi_integral(&self, time: f64, state: &State) -> Option<f64> {
+        let mut motions = self.loads.iter().filter_map(|load| match load.torque {
+            Torque::GravityGradient { mean_motion } => Some((mean_motion, load.window)),
+            _ => None,
+        });
+        let (mean_motion, window) = motions.next()?;
+        let is_alone = motions.next().is_none() && window.start <= 0.0 && window.end == f64::INFINITY;
+        is_alone.then(|| jacobi_integral(mean_motion, self.moments, time, state))
     }
 
     /// Everything that turns the body at `time` in s, about the reference point: N m, principal axes.

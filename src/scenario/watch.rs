@@ -51,8 +51,13 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
         | Channel::AngularMomentumBody
         | Channel::RotationalEnergy
         | Channel::TranslationalEnergy
+        | Channel::KineticEnergy
         | Channel::Position
-        | Channel::Velocity => false,
+        | Channel::Velocity
+        // They look at ω in the body, and at no direction.
+        | Channel::MomentumTilt
+        | Channel::PolhodePhase
+        | Channel::SeparatrixDistance => false,
         // They look at the attitude only through the loads.
         Channel::TotalEnergy
         | Channel::EnergyDrift
@@ -61,13 +66,21 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
         | Channel::ForceWorld
         // Of a body that nothing acts on, the direction of L in the body is that of Iω.
         | Channel::Tilt
-        | Channel::PrecessionRate => !problem.loads.is_empty(),
+        | Channel::PrecessionRate
+        | Channel::FigureRates => !problem.loads.is_empty(),
         Channel::Attitude
         | Channel::AngularVelocityWorld
         | Channel::AngularMomentumWorld
         | Channel::MomentWorld
         | Channel::MomentumDrift
-        | Channel::Slip => true,
+        | Channel::Slip
+        | Channel::EulerZxz
+        | Channel::EulerZyz
+        | Channel::EulerZyx
+        | Channel::EulerXyz
+        | Channel::FigureAngles
+        | Channel::JacobiIntegral
+        | Channel::KovalevskayaIntegral => true,
     }
 }
 
@@ -82,6 +95,7 @@ const fn needs_translation(channel: Channel) -> bool {
         Channel::Position
             | Channel::Velocity
             | Channel::TranslationalEnergy
+            | Channel::KineticEnergy
             | Channel::PotentialEnergy
             | Channel::TotalEnergy
             | Channel::EnergyDrift

@@ -40,6 +40,31 @@ pub enum Channel {
     Tilt,
     /// Rate at which the same axis goes round the same reference; 0 where it lies along it.
     PrecessionRate,
+    /// Euler angles of the attitude about body axes z, x, z: see [`EulerSequence`](super::EulerSequence).
+    EulerZxz,
+    /// The same about z, y, z.
+    EulerZyz,
+    /// The same about z, y, x: yaw, pitch, roll.
+    EulerZyx,
+    /// The same about x, y, z.
+    EulerXyz,
+    /// Precession, nutation and spin of the axis of figure, as [`FigureFrame`](super::FigureFrame) says.
+    FigureAngles,
+    /// The rates of change of these.
+    FigureRates,
+    /// Angle between L and the principal axis that L goes round at first, 0 to π.
+    MomentumTilt,
+    /// How far round its polhode ω is: the amplitude of the elliptic functions that ω is made of, −π to π.
+    PolhodePhase,
+    /// 2 T I₂ / L² − 1, T the rotational energy and I₂ the middle moment: 0 on the separatrix, above it round the axis of
+    /// the least moment, below it round that of the greatest.
+    SeparatrixDistance,
+    /// Of rotation and of translation together.
+    KineticEnergy,
+    /// ½ ω·Iω + 3/2 n² r·Ir − n `L_z`, on a circular orbit of mean motion n, whatever else acts.
+    JacobiIntegral,
+    /// |(ω₁ + iω₂)² + (a₁ + ia₂)(f₁ + if₂)/I₃|², of a top of moments 2, 2, 1 that the force f pulls at the arm a.
+    KovalevskayaIntegral,
 }
 
 /// One row of the table of channels.
@@ -69,10 +94,12 @@ impl Row {
 const QUATERNION: &[&str] = &["w", "x", "y", "z"];
 const VECTOR: &[&str] = &["x", "y", "z"];
 const SCALAR: &[&str] = &[""];
+const EULER: &[&str] = &["first", "second", "third"];
+const FIGURE: &[&str] = &["precession", "nutation", "spin"];
 
 impl Channel {
     /// Every channel, in the order in which recordings hold them.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 31] = [
         Self::Attitude,
         Self::AngularVelocity,
         Self::AngularVelocityWorld,
@@ -92,6 +119,18 @@ impl Channel {
         Self::Slip,
         Self::Tilt,
         Self::PrecessionRate,
+        Self::EulerZxz,
+        Self::EulerZyz,
+        Self::EulerZyx,
+        Self::EulerXyz,
+        Self::FigureAngles,
+        Self::FigureRates,
+        Self::MomentumTilt,
+        Self::PolhodePhase,
+        Self::SeparatrixDistance,
+        Self::KineticEnergy,
+        Self::JacobiIntegral,
+        Self::KovalevskayaIntegral,
     ];
 
     /// Name, title, unit and components.
@@ -117,6 +156,20 @@ impl Channel {
             Self::Slip => ("slip", "slip of the energy ellipsoid on the invariable plane", "1e-15", "per_1e15", SCALAR),
             Self::Tilt => ("tilt", "tilt of the axis", "rad", "rad", SCALAR),
             Self::PrecessionRate => ("precession_rate", "precession rate of the axis", "rad/s", "rad_s", SCALAR),
+            Self::EulerZxz => ("euler_zxz", "Euler angles about z, x, z", "rad", "rad", EULER),
+            Self::EulerZyz => ("euler_zyz", "Euler angles about z, y, z", "rad", "rad", EULER),
+            Self::EulerZyx => ("euler_zyx", "Euler angles about z, y, x", "rad", "rad", EULER),
+            Self::EulerXyz => ("euler_xyz", "Euler angles about x, y, z", "rad", "rad", EULER),
+            Self::FigureAngles => ("figure_angles", "angles of the axis of figure", "rad", "rad", FIGURE),
+            Self::FigureRates => ("figure_rates", "rates of the axis of figure", "rad/s", "rad_s", FIGURE),
+            Self::MomentumTilt => ("momentum_tilt", "tilt of the axis from L", "rad", "rad", SCALAR),
+            Self::PolhodePhase => ("polhode_phase", "phase on the polhode", "rad", "rad", SCALAR),
+            Self::SeparatrixDistance => ("separatrix_distance", "distance from the separatrix", "1", "", SCALAR),
+            Self::KineticEnergy => ("kinetic_energy", "kinetic energy", "J", "j", SCALAR),
+            Self::JacobiIntegral => ("jacobi_integral", "Jacobi's integral", "J", "j", SCALAR),
+            Self::KovalevskayaIntegral => {
+                ("kovalevskaya_integral", "Kovalevskaya's integral", "rad⁴/s⁴", "rad4_s4", SCALAR)
+            }
         };
         Row { name, title, unit, unit_suffix, components }
     }
@@ -125,6 +178,15 @@ impl Channel {
     #[must_use]
     pub const fn width(self) -> usize {
         self.row().components.len()
+    }
+
+    /// Whether it is angles that come round: values apart by 2π are the same.
+    #[must_use]
+    pub const fn comes_round(self) -> bool {
+        matches!(
+            self,
+            Self::EulerZxz | Self::EulerZyz | Self::EulerZyx | Self::EulerXyz | Self::FigureAngles | Self::PolhodePhase
+        )
     }
 
     /// The channel of that name.

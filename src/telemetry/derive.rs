@@ -1,8 +1,8 @@
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::{BodySamples, Channel, FigureAxis};
+use super::{BodySamples, Channel, Encircled, EulerSequence, FigureAxis, FigureFrame, separatrix_distance};
 use crate::body::{AngularVelocity, Attitude, State};
-use crate::dynamics::{MomentumLaw, Problem, momentum_in_world, translational_energy};
+use crate::dynamics::{Kovalevskaya, MomentumLaw, Problem, momentum_in_world, rotational_energy, translational_energy};
 use crate::propagation::States;
 
 /// Makes channels of states: turns principal axes back into body axes, and knows the laws whose drift is watched.
@@ -13,6 +13,9 @@ pub struct Derivation {
     body_from_principal: Option<UnitQuaternion<f64>>,
     momentum_law: Option<MomentumLaw>,
     figure: Option<FigureAxis>,
+    figure_frame: Option<FigureFrame>,
+    encircled: Option<Encircled>,
+    kovalevskaya: Option<Kovalevskaya>,
     initial_energy: f64,
     initial_energy_scale: f64,
     initial_momentum: Vector3<f64>,
@@ -27,6 +30,9 @@ impl Derivation {
             body_from_principal: (body_from_principal != UnitQuaternion::identity()).then_some(body_from_principal),
             momentum_law: problem.momentum_law(),
             figure: FigureAxis::of(problem),
+            figure_frame: FigureFrame::of(problem),
+            encircled: Encircled::of(problem),
+            kovalevskaya: Kovalevskaya::of(problem),
             initial_energy,
             initial_energy_scale,
             initial_momentum: momentum_in_world(problem.moments, &problem.initial),
@@ -102,7 +108,50 @@ impl Derivation {
                 let rate = |figure: FigureAxis, time, state: &State| figure.precession_rate(problem, time, state);
                 batch.scalars(columns, |_, time, state| self.figure.map_or(0.0, |figure| rate(figure, time, state)));
             }
+            Channel::EulerZxz => self.euler_angles(EulerSequence::Zxz, batch, columns),
+            Channel::EulerZyz => self.euler_angles(EulerSequence::Zyz, batch, columns),
+            Channel::EulerZyx => self.euler_angles(EulerSequence::Zyx, batch, columns),
+            Channel::EulerXyz => self.euler_angles(EulerSequence::Xyz, batch, columns),
+            Channel::FigureAngles => batch.vectors(columns, |_, state| {
+                let angles = self.figure_frame.map(|frame| frame.angles(&state.attitude.world_from_body()));
+                angles.unwrap_or_default().into()
+            }),
+            Channel::FigureRates => batch.vectors(columns, |_, state| {
+                self.figure_frame.map(|frame| frame.rates(problem, state)).unwrap_or_default().into()
+            }),
+            Channel::MomentumTilt | Channel::PolhodePhase => batch.scalars(columns, |_, _, state| {
+                let Some(encircled) = self.encircled else { return 0.0 };
+                let omega = state.angular_velocity.in_body();
+                if channel == Channel::MomentumTilt {
+                    encircled.tilt(problem.moments, &omega)
+                } else {
+                    encircled.phase(problem.moments, &omega)
+                }
+            }),
+            Channel::SeparatrixDistance => batch.scalars(columns, |_, _, state| {
+                separatrix_distance(problem.moments, &state.angular_velocity.in_body())
+            }),
+            Channel::KineticEnergy => batch.scalars(columns, |_, _, state| {
+                let translational = problem.mass.map_or(0.0, |mass| translational_energy(mass, state));
+                rotational_energy(problem.moments, state) + translational
+            }),
+            Channel::JacobiIntegral => {
+                batch.scalars(columns, |_, time, state| problem.jacobi_integral(time, state).unwrap_or_default());
+            }
+            Channel::KovalevskayaIntegral => batch.scalars(columns, |_, _, state| {
+                self.kovalevskaya.as_ref().map_or(0.0, |integral| integral.value(state))
+            }),
         }
+    }
+
+    /// Of the attitude of body axes.
+    fn euler_angles(&self, sequence: EulerSequence, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
+        let principal_from_body = self.body_from_principal.map(|turn| turn.inverse());
+        batch.vectors(columns, |_, state| {
+            let attitude = state.attitude.world_from_body();
+            let attitude = principal_from_body.map_or(attitude, |turn| attitude * turn);
+            sequence.angles(&attitude).into()
+        });
     }
 
     fn attitude(&self, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {

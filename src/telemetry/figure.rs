@@ -12,9 +12,9 @@ use crate::dynamics::{Problem, Torque, radial_direction};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FigureAxis {
     /// Which principal axis.
-    axis: usize,
+    pub(super) axis: usize,
     /// Which way along it.
-    sign: f64,
+    pub(super) sign: f64,
     reference: Reference,
 }
 
@@ -33,11 +33,7 @@ impl FigureAxis {
     #[must_use]
     pub fn of(problem: &Problem) -> Option<Self> {
         let moments = problem.moments.vector();
-        // Two equal moments, and the third different.
-        let symmetry = [0, 1, 2].into_iter().find(|axis| {
-            let [one, other] = others(*axis);
-            moments[one] == moments[other] && moments[*axis] != moments[one]
-        });
+        let symmetry = symmetry_axis(&moments);
         let (axis, sign, reference) = match problem.loads.as_slice() {
             [] => {
                 let axis = symmetry.filter(|_| problem.initial.angular_velocity.in_body() != Vector3::zeros())?;
@@ -64,6 +60,14 @@ impl FigureAxis {
     #[must_use]
     pub const fn precesses(&self) -> bool {
         !matches!(self.reference, Reference::Vertical(_))
+    }
+
+    /// Up, unit, world axes, where the axis leans from it.
+    pub(super) const fn up(&self) -> Option<Vector3<f64>> {
+        match self.reference {
+            Reference::Up(up) => Some(up),
+            Reference::Momentum | Reference::Vertical(_) => None,
+        }
     }
 
     /// The angle between axis and reference, rad, 0 to π; exact near both ends.
@@ -99,6 +103,15 @@ impl FigureAxis {
     }
 }
 
-const fn others(axis: usize) -> [usize; 2] {
+/// The axis of a moment that differs from the two others, which are equal.
+pub(super) fn symmetry_axis(moments: &Vector3<f64>) -> Option<usize> {
+    [0, 1, 2].into_iter().find(|axis| {
+        let [one, other] = others(*axis);
+        moments[one] == moments[other] && moments[*axis] != moments[one]
+    })
+}
+
+/// The two that follow in cyclic order.
+pub(super) const fn others(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }

@@ -22,6 +22,7 @@ mod convert;
 #[cfg(feature = "serde")]
 mod corpora;
 mod csv_format;
+mod derived_channels;
 mod effort;
 mod equivalence;
 mod faults;

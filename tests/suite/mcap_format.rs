@@ -58,6 +58,30 @@ struct BodyState {
     tilt: Option<f64>,
     #[prost(double, optional, tag = "21")]
     precession_rate: Option<f64>,
+    #[prost(message, optional, tag = "22")]
+    euler_zxz: Option<Numbers>,
+    #[prost(message, optional, tag = "23")]
+    euler_zyz: Option<Numbers>,
+    #[prost(message, optional, tag = "24")]
+    euler_zyx: Option<Numbers>,
+    #[prost(message, optional, tag = "25")]
+    euler_xyz: Option<Numbers>,
+    #[prost(message, optional, tag = "26")]
+    figure_angles: Option<Numbers>,
+    #[prost(message, optional, tag = "27")]
+    figure_rates: Option<Numbers>,
+    #[prost(double, optional, tag = "28")]
+    momentum_tilt: Option<f64>,
+    #[prost(double, optional, tag = "29")]
+    polhode_phase: Option<f64>,
+    #[prost(double, optional, tag = "30")]
+    separatrix_distance: Option<f64>,
+    #[prost(double, optional, tag = "31")]
+    kinetic_energy: Option<f64>,
+    #[prost(double, optional, tag = "32")]
+    jacobi_integral: Option<f64>,
+    #[prost(double, optional, tag = "33")]
+    kovalevskaya_integral: Option<f64>,
 }
 
 #[derive(Clone, Copy, PartialEq, Message)]
@@ -112,6 +136,18 @@ impl BodyState {
             slip: scalar(Channel::Slip),
             tilt: scalar(Channel::Tilt),
             precession_rate: scalar(Channel::PrecessionRate),
+            euler_zxz: numbers(Channel::EulerZxz),
+            euler_zyz: numbers(Channel::EulerZyz),
+            euler_zyx: numbers(Channel::EulerZyx),
+            euler_xyz: numbers(Channel::EulerXyz),
+            figure_angles: numbers(Channel::FigureAngles),
+            figure_rates: numbers(Channel::FigureRates),
+            momentum_tilt: scalar(Channel::MomentumTilt),
+            polhode_phase: scalar(Channel::PolhodePhase),
+            separatrix_distance: scalar(Channel::SeparatrixDistance),
+            kinetic_energy: scalar(Channel::KineticEnergy),
+            jacobi_integral: scalar(Channel::JacobiIntegral),
+            kovalevskaya_integral: scalar(Channel::KovalevskayaIntegral),
         }
     }
 
@@ -140,8 +176,28 @@ impl BodyState {
             self.tilt,
             self.precession_rate,
         ];
-        let numbers = tuples.into_iter().flatten().flat_map(|n| [n.first, n.second, n.third, n.fourth]);
-        numbers.chain(scalars).flatten().map(f64::to_bits).collect()
+        let derived_tuples = [
+            &self.euler_zxz,
+            &self.euler_zyz,
+            &self.euler_zyx,
+            &self.euler_xyz,
+            &self.figure_angles,
+            &self.figure_rates,
+        ];
+        let derived_scalars = [
+            self.momentum_tilt,
+            self.polhode_phase,
+            self.separatrix_distance,
+            self.kinetic_energy,
+            self.jacobi_integral,
+            self.kovalevskaya_integral,
+        ];
+        let numbers =
+            |tuple: &Option<Numbers>| tuple.iter().flat_map(|n| [n.first, n.second, n.third, n.fourth]).collect();
+        let numbers =
+            |tuples: &[&Option<Numbers>]| -> Vec<_> { tuples.iter().flat_map(|n| -> Vec<_> { numbers(n) }).collect() };
+        let all = [numbers(&tuples), scalars.to_vec(), numbers(&derived_tuples), derived_scalars.to_vec()].concat();
+        all.into_iter().flatten().map(f64::to_bits).collect()
     }
 }
 

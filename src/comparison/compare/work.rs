@@ -16,8 +16,9 @@ pub(super) struct Work<'p> {
 
 impl<'p> Work<'p> {
     pub fn new(bodies: Vec<Matched>, tolerances: &Tolerances, mut poses: Option<&'p mut Vec<Poses>>) -> Self {
-        let new =
-            |matched: &Matched| matched.channels.iter().map(|channel| Measure::new(tolerances.of(*channel))).collect();
+        let new = |matched: &Matched| {
+            matched.channels.iter().map(|channel| Measure::new(*channel, tolerances.of(*channel))).collect()
+        };
         let measures = bodies.iter().map(new).collect();
         if let Some(poses) = &mut poses {
             poses.resize(bodies.len(), Poses::default());
@@ -66,6 +67,7 @@ fn finished(channel: Channel, rule: Rule, measure: Measure, interpolation: Optio
     };
     let ceiling = match channel {
         Channel::Attitude => std::f64::consts::PI,
+        angles if angles.comes_round() => std::f64::consts::PI,
         // They are differences themselves, and have no size to grow to.
         Channel::EnergyDrift | Channel::MomentumDrift | Channel::Slip => f64::INFINITY,
         _ => measure.size,

@@ -15,12 +15,14 @@ const SHARED: [(&str, &[(Channel, &str)]); 2] = [
             (Channel::TranslationalEnergy, "translational"),
             (Channel::PotentialEnergy, "potential"),
             (Channel::TotalEnergy, "total"),
+            (Channel::KineticEnergy, "kinetic"),
+            (Channel::JacobiIntegral, "Jacobi"),
         ],
     ),
     ("drift, relative", &[(Channel::EnergyDrift, "energy"), (Channel::MomentumDrift, "L"), (Channel::Slip, "slip")]),
 ];
 /// In the order in which they are looked at.
-const ORDER: [Channel; 12] = [
+const ORDER: [Channel; 22] = [
     Channel::AngularVelocity,
     Channel::AngularVelocityWorld,
     Channel::AngularMomentumWorld,
@@ -33,6 +35,16 @@ const ORDER: [Channel; 12] = [
     Channel::Velocity,
     Channel::ForceWorld,
     Channel::Attitude,
+    Channel::FigureAngles,
+    Channel::FigureRates,
+    Channel::MomentumTilt,
+    Channel::PolhodePhase,
+    Channel::SeparatrixDistance,
+    Channel::KovalevskayaIntegral,
+    Channel::EulerZxz,
+    Channel::EulerZyz,
+    Channel::EulerZyx,
+    Channel::EulerXyz,
 ];
 /// A drift of more than so many 1e-15 is looked at by its power of ten.
 const LARGE_DRIFT: f64 = 1e4;

@@ -1,7 +1,7 @@
-use crate::dynamics::{Problem, Torque};
+use crate::dynamics::{Kovalevskaya, Problem, Torque};
 use crate::scenario::nearest;
 use crate::scenario::{Key, Refusal, Scenario};
-use crate::telemetry::{Channel, FigureAxis};
+use crate::telemetry::{Channel, Encircled, FigureAxis, FigureFrame};
 
 /// What is recorded of one body: what was asked for, or what the scene makes interesting; in the order of
 /// [`Channel::ALL`].
@@ -55,6 +55,28 @@ pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> 
         Channel::PrecessionRate if !precesses(problem) => {
             Some("has no meaning here: the body has no axis of symmetry that goes round L or the vertical")
         }
+        Channel::FigureAngles | Channel::FigureRates if FigureFrame::of(problem).is_none() => Some(
+            "has no meaning here: the body neither turns without loads about an axis that L goes round, nor is it a top of \
+             two equal moments under one steady force",
+        ),
+        Channel::MomentumTilt if Encircled::of(problem).is_none() => Some(
+            "has no meaning here: L goes round no principal axis of a body that stands still, has three equal moments or \
+             starts on the separatrix",
+        ),
+        Channel::PolhodePhase if !goes_round(problem) => Some(
+            "has no meaning here: only a body that nothing acts on, and whose angular velocity moves in it but not along \
+             the separatrix, goes round its polhode",
+        ),
+        Channel::SeparatrixDistance if !has_separatrix(problem) => {
+            Some("has no meaning here: only a body of three different moments that turns has a separatrix")
+        }
+        Channel::JacobiIntegral if problem.jacobi_integral(0.0, &problem.initial).is_none() => {
+            Some("has no meaning here: one gravity gradient must act, all the time")
+        }
+        Channel::KovalevskayaIntegral if Kovalevskaya::of(problem).is_none() => Some(
+            "has no meaning here: it is of a top whose moments are as 2 to 2 to 1, under one force constant in the world, \
+             all the time, at an arm across the axis of the least moment",
+        ),
         _ => None,
     }
 }
@@ -62,6 +84,18 @@ pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> 
 /// Whether the body has an axis that goes round something that stands still.
 fn precesses(problem: &Problem) -> bool {
     FigureAxis::of(problem).is_some_and(|figure| figure.precesses())
+}
+
+/// Whether ω goes round an axis in the body, for ever the same way.
+fn goes_round(problem: &Problem) -> bool {
+    let omega = problem.initial.angular_velocity.in_body();
+    problem.loads.is_empty() && Encircled::of(problem).is_some_and(|encircled| encircled.goes_round(&omega))
+}
+
+/// Whether the least, the middle and the greatest moment differ, and there is a spin to compare.
+fn has_separatrix(problem: &Problem) -> bool {
+    let [a, b, c]: [f64; 3] = problem.moments.vector().into();
+    a != b && b != c && c != a && problem.initial.angular_velocity.in_body() != nalgebra::Vector3::zeros()
 }
 
 /// Whether Poinsot's construction describes the motion.
@@ -92,7 +126,7 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         Channel::Slip => rolls(problem),
         Channel::Tilt => FigureAxis::of(problem).is_some(),
         Channel::PrecessionRate => precesses(problem),
-        Channel::AngularVelocityWorld | Channel::AngularMomentumBody | Channel::MomentWorld => false,
+        _ => false,
     };
     Channel::ALL.into_iter().filter(is_interesting).collect()
 }

@@ -33,7 +33,8 @@ pub fn lines() -> Vec<String> {
     let mut pushed = BodySpec { name: "pushed".into(), ..solids.clone() };
     pushed.force.constant_body =
         vec![ForceSpec { force_n: [1.0, -0.5, 0.3], point_m: [0.1, 0.2, 0.0], start_s: Some(0.3), end_s: Some(1.7) }];
-    [tensor, particles, solids, pushed].map(|body| line(&body)).into()
+    let derived = derived(&tensor);
+    [tensor, particles, solids, pushed].map(|body| line(&body)).into_iter().chain([derived]).collect()
 }
 
 fn thrown(name: &str) -> BodySpec {
@@ -51,12 +52,26 @@ fn line(body: &BodySpec) -> String {
     // These bodies have no axis of symmetry.
     let leaning = [Channel::Tilt, Channel::PrecessionRate];
     let is_free = body.force.constant_body.is_empty();
-    let is_told = |channel: &Channel| !leaning.contains(channel) && (is_free || !drifts.contains(channel));
-    let channels = Channel::ALL.into_iter().filter(is_told);
+    let is_told = |channel: &Channel| {
+        *channel < Channel::EulerZxz && !leaning.contains(channel) && (is_free || !drifts.contains(channel))
+    };
+    let channels: Vec<_> = Channel::ALL.into_iter().filter(is_told).collect();
+    hash(body, &channels).line(&format!("scene, {}", body.name))
+}
+
+/// What is derived of a free body of three different moments.
+fn derived(body: &BodySpec) -> String {
+    let of_others = [Channel::JacobiIntegral, Channel::KovalevskayaIntegral];
+    let is_told = |channel: &Channel| *channel >= Channel::EulerZxz && !of_others.contains(channel);
+    let channels: Vec<_> = Channel::ALL.into_iter().filter(is_told).collect();
+    hash(body, &channels).line(&format!("scene, derived of {}", body.name))
+}
+
+fn hash(body: &BodySpec, channels: &[Channel]) -> Hash {
     let scenario = Scenario {
         duration_s: Some(3.0),
         sample_every_s: Some(0.01),
-        channels: Some(channels.map(|channel| channel.row().name.to_owned()).collect()),
+        channels: Some(channels.iter().map(|channel| channel.row().name.to_owned()).collect()),
         body: vec![body.clone()],
         ..Scenario::default()
     };
@@ -66,5 +81,5 @@ fn line(body: &BodySpec) -> String {
     while let Some(samples) = run.next_batch().expect("a finite motion") {
         samples.bodies[0].columns().iter().flatten().for_each(|value| hash.add(*value));
     }
-    hash.line(&format!("scene, {}", body.name))
+    hash
 }

@@ -179,7 +179,10 @@ fn channels(problem: &Problem) -> Vec<Channel> {
     if !problem.wants_attitude {
         return vec![Channel::AngularVelocity, Channel::AngularMomentumBody, Channel::RotationalEnergy];
     }
-    Channel::ALL.into_iter().filter(|channel| problem.wants_translation || !translational(channel)).collect()
+    // Derived channels are hashed of scenes.
+    let is_told =
+        |channel: &Channel| *channel < Channel::EulerZxz && (problem.wants_translation || !translational(channel));
+    Channel::ALL.into_iter().filter(is_told).collect()
 }
 
 /// By the integrator in double-double, both halves of each number, over two seconds.

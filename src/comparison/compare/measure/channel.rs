@@ -1,7 +1,8 @@
 use super::bits::Bits;
-use super::distance::{component, distance, size};
+use super::distance::{component, distance, nearest, size};
 use super::trace::Trace;
 use crate::comparison::compare::tolerance::Rule;
+use crate::telemetry::Channel;
 
 /// The largest difference of a channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +18,7 @@ pub struct Worst {
 /// What is known of the differences of one channel so far.
 #[derive(Debug)]
 pub(in crate::comparison) struct Measure {
+    channel: Channel,
     pub samples: u64,
     pub size: f64,
     pub worst: Option<Worst>,
@@ -27,8 +29,9 @@ pub(in crate::comparison) struct Measure {
 }
 
 impl Measure {
-    pub fn new(rule: Rule) -> Self {
+    pub fn new(channel: Channel, rule: Rule) -> Self {
         Self {
+            channel,
             samples: 0,
             size: 0.0,
             worst: None,
@@ -67,6 +70,7 @@ impl Measure {
                 continue;
             }
             self.bits.include(*time_s, a, b);
+            let b = nearest(self.channel, a, b);
             let found = distance(a, b);
             self.see_size(found.size);
             self.include_difference(*time_s, found.between, || component(a, b));

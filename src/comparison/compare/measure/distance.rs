@@ -1,4 +1,7 @@
+use std::f64::consts::TAU;
+
 use crate::propagation::attitude_angle;
+use crate::telemetry::Channel;
 
 /// Width of a quaternion.
 const QUATERNION: usize = 4;
@@ -17,6 +20,15 @@ pub(in crate::comparison) fn distance<const N: usize>(a: [f64; N], b: [f64; N]) 
     }
     let between = length(std::array::from_fn::<f64, N, _>(|k| a[k] - b[k]));
     Distance { between: finite(between), size: length(a).max(length(b)) }
+}
+
+/// `b`, whole turns from where it is and as near `a` as can be, if `channel` is angles that come round.
+pub(in crate::comparison) fn nearest<const N: usize>(channel: Channel, a: [f64; N], b: [f64; N]) -> [f64; N] {
+    if !channel.comes_round() {
+        return b;
+    }
+    // A difference of less than half a turn is left alone, to its last bit.
+    std::array::from_fn(|k| b[k] + TAU * ((a[k] - b[k]) / TAU).round())
 }
 
 /// The size of values of which one side is as good as the other.

@@ -1,3 +1,4 @@
+use crate::comparison::compare::measure::distance::nearest;
 use crate::telemetry::Channel;
 
 /// Samples from which a value between them is made: at most four.
@@ -25,8 +26,11 @@ impl Cubic {
     /// Of values of `channel`, each a row of its components.
     pub fn value<const N: usize>(&self, channel: Channel, values: &[[f64; N]]) -> [f64; N] {
         let mut sum = [0.0; N];
+        let mut before = values.first().copied().unwrap_or([f64::NAN; N]);
         for (weight, value) in self.weights[..self.count].iter().zip(values) {
             let weight = if channel == Channel::Attitude { weight * sign(&values[0], value) } else { *weight };
+            let value = nearest(channel, before, *value);
+            before = value;
             (0..N).for_each(|k| sum[k] += weight * value[k]);
         }
         if channel == Channel::Attitude { unit(sum) } else { sum }

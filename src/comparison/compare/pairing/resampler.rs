@@ -2,7 +2,7 @@ use super::cursor::Cursor;
 use super::interpolation::{Cubic, NODES, attitude, hermite};
 use crate::comparison::compare::CompareError;
 use crate::comparison::compare::matching::Matched;
-use crate::comparison::compare::measure::distance::distance;
+use crate::comparison::compare::measure::distance::{distance, nearest};
 use crate::telemetry::{BodySamples, Channel, Samples};
 
 /// A recording at times that it does not have: cubics between its samples, by ω between attitudes and by the velocity
@@ -212,6 +212,7 @@ impl Around<'_> {
 
     /// How far what is interpolated at sample `index` is from it.
     fn miss<const N: usize>(&self, channel: Channel, index: usize) -> f64 {
-        distance(self.value::<N>(channel, self.times_s[index]), self.row(channel, index)).between
+        let row = self.row(channel, index);
+        distance(nearest(channel, row, self.value::<N>(channel, self.times_s[index])), row).between
     }
 }

@@ -95,14 +95,15 @@ impl Tolerances {
 }
 
 impl Default for Tolerances {
-    /// 1e-9 rad between attitudes and tilts, 1e-9 of the largest size of everything else. Drifts and slip are roundings of
+    /// 1e-9 rad between attitudes, tilts and angles that come round, 1e-9 of the largest size of everything else. Drifts and slip are roundings of
     /// what computed them: they are shown, not judged.
     fn default() -> Self {
         let rule = |channel| match channel {
             Channel::EnergyDrift | Channel::MomentumDrift | Channel::Slip => Rule::Shown,
-            Channel::Attitude | Channel::Tilt => {
+            Channel::Attitude | Channel::Tilt | Channel::MomentumTilt => {
                 Rule::Within(Tolerance { absolute: Tolerance::DEFAULT, relative: 0.0 })
             }
+            angles if angles.comes_round() => Rule::Within(Tolerance { absolute: Tolerance::DEFAULT, relative: 0.0 }),
             _ => Rule::Within(Tolerance { absolute: Tolerance::OF_ZERO, relative: Tolerance::DEFAULT }),
         };
         Self { rules: Channel::ALL.map(rule) }

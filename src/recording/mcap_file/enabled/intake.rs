@@ -16,8 +16,9 @@ use crate::telemetry::{BodySamples, Channel, Samples};
 #[derive(Default)]
 pub(super) struct Intake {
     heading: Heading,
-    /// By number: the name, and whether it is the description of [`state::NAME`] that this crate embeds.
-    schemas: BTreeMap<u16, (String, bool)>,
+    /// By number: the name, and which channels it describes if it is a description of [`state::NAME`] that this crate
+    /// embeds.
+    schemas: BTreeMap<u16, (String, Option<Vec<Channel>>)>,
     /// By number of the topic: number of the body.
     topics: BTreeMap<u16, usize>,
     layouts: Vec<StateLayout>,
@@ -70,8 +71,9 @@ impl Intake {
         match parse(opcode, body)? {
             Record::Metadata(metadata) if metadata.name == "polhode" => self.take_facts(metadata),
             Record::Schema { header, data } => {
-                let is_ours = header.encoding == "protobuf" && *data == *state::descriptor();
-                self.schemas.insert(header.id, (header.name, is_ours));
+                let is_protobuf = header.encoding == "protobuf";
+                let described = is_protobuf.then(|| state::channels_of(&data)).flatten();
+                self.schemas.insert(header.id, (header.name, described));
             }
             Record::Channel(topic) => self.take_topic(&topic)?,
             Record::Message { header, data } => self.take_message(&header, &data)?,
@@ -86,16 +88,16 @@ impl Intake {
 
     /// A file repeats its topics at its end; a new one after the first sample would lack that one.
     fn take_topic(&mut self, topic: &Topic) -> McapResult<()> {
-        let Some((schema, is_ours)) = self.schemas.get(&topic.schema_id) else { return Ok(()) };
+        let Some((schema, described)) = self.schemas.get(&topic.schema_id) else { return Ok(()) };
         let name = topic.topic.strip_prefix("/body/").and_then(|rest| rest.strip_suffix("/state"));
         if (schema != state::NAME && name.is_none()) || self.topics.contains_key(&topic.id) {
             return Ok(());
         }
         let refuse = |reason: &str| Err(wrong(format!("topic {}: {reason}", topic.topic)));
         let Some(name) = name else { return refuse("states are on /body/<name>/state") };
-        if schema != state::NAME || !is_ours || topic.message_encoding != "protobuf" {
+        let (true, Some(described), "protobuf") = (schema == state::NAME, described, &*topic.message_encoding) else {
             return refuse("its schema is not the polhode.BodyState that this version knows");
-        }
+        };
         if self.has_begun {
             return refuse("it begins after the first sample");
         }
@@ -106,6 +108,9 @@ impl Intake {
             Channel::ALL.into_iter().filter(|channel| topic.metadata.contains_key(channel.row().name)).collect();
         if channels.len() != topic.metadata.len() {
             return refuse("its metadata names a channel that this version does not know");
+        }
+        if !channels.iter().all(|channel| described.contains(channel)) {
+            return refuse("its metadata names a channel that its schema does not describe");
         }
         self.topics.insert(topic.id, self.layouts.len());
         self.layouts.push(StateLayout::new(&channels));

@@ -22,6 +22,9 @@ const TIMESTAMP_KEY: u8 = (TIMESTAMP << 3 | 2).to_le_bytes()[0];
 /// Field of the first channel; the others follow in the order of [`Channel`], which only ever grows at its end.
 const FIRST_CHANNEL: u32 = 3;
 
+/// How many channels every recording describes, recorded or not; of those after them, only what it holds.
+const ALWAYS_DESCRIBED: usize = 19;
+
 /// Field of `channel`.
 fn field_of(channel: Channel) -> u32 {
     FIRST_CHANNEL + channel as u32
@@ -110,8 +113,24 @@ fn keys_of(channel: Channel) -> Vec<Vec<u8>> {
     keys
 }
 
-/// The `FileDescriptorSet` of [`NAME`], with everything it refers to.
-pub(super) fn descriptor() -> Vec<u8> {
+/// The channels described in a file of bodies with channels `recorded`: the first of the table always, as recordings have
+/// always done, and of the others what is there.
+pub(super) fn described(recorded: &[Channel]) -> Vec<Channel> {
+    let is_described = |(number, channel): &(usize, Channel)| *number < ALWAYS_DESCRIBED || recorded.contains(channel);
+    Channel::ALL.into_iter().enumerate().filter(is_described).map(|(_, channel)| channel).collect()
+}
+
+/// The channels that `schema` describes, if it is one that this crate embeds.
+pub(super) fn channels_of(schema: &[u8]) -> Option<Vec<Channel>> {
+    let set = FileDescriptorSet::decode(schema).ok()?;
+    let message = set.file.get(1)?.message_type.first()?;
+    let named: Vec<_> = message.field.iter().filter_map(|field| Channel::from_name(&field.name)).collect();
+    let channels = described(&named);
+    (descriptor(&channels) == schema).then_some(channels)
+}
+
+/// The `FileDescriptorSet` of [`NAME`] with these channels, and with everything it refers to.
+pub(super) fn descriptor(channels: &[Channel]) -> Vec<u8> {
     let timestamp = FileDescriptor {
         name: "google/protobuf/timestamp.proto".into(),
         package: "google.protobuf".into(),
@@ -127,30 +146,51 @@ pub(super) fn descriptor() -> Vec<u8> {
         name: "polhode.proto".into(),
         package: "polhode".into(),
         dependency: vec![timestamp.name.clone()],
-        message_type: vec![body_state(), tuple("Quaternion", "wxyz"), tuple("Vector3", "xyz")],
+        message_type: [body_state(channels)].into_iter().chain(tuples(channels)).collect(),
         syntax: "proto3".into(),
     };
     FileDescriptorSet { file: vec![timestamp, polhode] }.encode_to_vec()
 }
 
-fn body_state() -> MessageDescriptor {
+fn body_state(channels: &[Channel]) -> MessageDescriptor {
     let start = MessageDescriptor::new("BodyState")
         .with(FieldDescriptor::double("time_s", TIME.cast_signed()))
         .with(FieldDescriptor::message("timestamp", TIMESTAMP.cast_signed(), ".google.protobuf.Timestamp"));
-    Channel::ALL.into_iter().fold(start, |descriptor, channel| {
-        let (name, number) = (channel.row().name, field_of(channel).cast_signed());
-        match channel.width() {
-            1 => descriptor.with_optional(FieldDescriptor::double(name, number)),
-            3 => descriptor.with(FieldDescriptor::message(name, number, ".polhode.Vector3")),
-            _ => descriptor.with(FieldDescriptor::message(name, number, ".polhode.Quaternion")),
+    channels.iter().fold(start, |descriptor, channel| {
+        let (name, number) = (channel.row().name, field_of(*channel).cast_signed());
+        match message_of(*channel) {
+            None => descriptor.with_optional(FieldDescriptor::double(name, number)),
+            Some(message) => descriptor.with(FieldDescriptor::message(name, number, &format!(".polhode.{message}"))),
         }
     })
 }
 
-fn tuple(name: &str, components: &str) -> MessageDescriptor {
-    components.chars().zip(1..).fold(MessageDescriptor::new(name), |descriptor, (component, number)| {
-        descriptor.with(FieldDescriptor::double(&component.to_string(), number))
-    })
+/// What carries the components of `channel`; a scalar needs nothing.
+fn message_of(channel: Channel) -> Option<&'static str> {
+    match channel.row().components {
+        ["w", "x", "y", "z"] => Some("Quaternion"),
+        ["first", "second", "third"] => Some("EulerAngles"),
+        ["precession", "nutation", "spin"] => Some("FigureAngles"),
+        [_] => None,
+        _ => Some("Vector3"),
+    }
+}
+
+/// The messages that carry components: quaternion and vector always, as recordings have always done.
+fn tuples(channels: &[Channel]) -> Vec<MessageDescriptor> {
+    let always = [Channel::Attitude, Channel::AngularVelocity];
+    let mut tuples: Vec<MessageDescriptor> = Vec::new();
+    for channel in always.iter().chain(channels) {
+        let Some(name) = message_of(*channel) else { continue };
+        if tuples.iter().all(|tuple| tuple.name != name) {
+            let fields = channel.row().components.iter().zip(1..);
+            let tuple = |tuple: MessageDescriptor, (component, number): (&&str, i32)| {
+                tuple.with(FieldDescriptor::double(component, number))
+            };
+            tuples.push(fields.fold(MessageDescriptor::new(name), tuple));
+        }
+    }
+    tuples
 }
 
 #[cfg(test)]
@@ -172,14 +212,28 @@ mod tests {
     /// Fails when a channel is added: then add its line. It never fails because a number changed its meaning.
     #[test]
     fn the_proto_file_says_what_is_embedded() {
-        let set = FileDescriptorSet::decode(&*descriptor()).expect("a descriptor");
+        let set = FileDescriptorSet::decode(&*descriptor(&Channel::ALL)).expect("a descriptor");
         let proto = include_str!("../schemas/polhode.proto");
-        for name in ["BodyState", "Quaternion", "Vector3"] {
+        for name in ["BodyState", "Quaternion", "Vector3", "EulerAngles", "FigureAngles"] {
             let (_, rest) = proto.split_once(&format!("message {name} {{")).expect("in the file");
             let (body, _) = rest.split_once('}').expect("closed");
             let written: Vec<_> = body.lines().filter_map(|line| Some(line.split_once(';')?.0.trim())).collect();
             let embedded = fields(&set.file[1], name);
             assert_eq!(written.iter().map(|line| format!("{line};")).collect::<Vec<_>>(), embedded);
         }
+    }
+
+    /// What was recorded before a channel was thought of is described as it was then.
+    #[test]
+    fn a_schema_is_known_by_the_channels_in_it() {
+        let plain = described(&[Channel::Attitude]);
+        assert_eq!(plain, described(&[]));
+        assert_eq!(plain.len(), ALWAYS_DESCRIBED);
+        assert_eq!(channels_of(&descriptor(&plain)), Some(plain.clone()));
+        let more = described(&[Channel::PolhodePhase, Channel::EulerZyx]);
+        assert_eq!(more.len(), plain.len() + 2);
+        assert_eq!(channels_of(&descriptor(&more)), Some(more.clone()));
+        assert_eq!(channels_of(&descriptor(&more[1..])), None);
+        assert_eq!(channels_of(b"no schema"), None);
     }
 }

@@ -35,7 +35,8 @@ impl McapFile {
         if let Some(text) = about::scene_text(subject) {
             output.attach(&text)?;
         }
-        let schema = state::descriptor();
+        let recorded: Vec<_> = subject.heading.bodies.iter().flat_map(|body| body.channels.iter().copied()).collect();
+        let schema = state::descriptor(&state::described(&recorded));
         let mut state = |body: &RecordedBody| -> Result<_, RecordingError> {
             let topic = format!("/body/{}/state", body.name);
             let topic = output.topic(&topic, (state::NAME, &schema), &units(body))?;

@@ -13,7 +13,7 @@ use crate::scenario::nanoseconds;
 use crate::telemetry::Channel;
 
 /// Channels that share a plot, and its title: what people look at first comes first. Never a drift beside its quantity.
-const PLOTS: [(&str, &[Channel]); 14] = [
+const PLOTS: [(&str, &[Channel]); 23] = [
     ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
     ("tilt (rad)", &[Channel::Tilt]),
     ("precession rate (rad/s)", &[Channel::PrecessionRate]),
@@ -21,7 +21,14 @@ const PLOTS: [(&str, &[Channel]); 14] = [
     ("τ in body axes (N m)", &[Channel::MomentBody]),
     (
         "energy (J)",
-        &[Channel::RotationalEnergy, Channel::TranslationalEnergy, Channel::PotentialEnergy, Channel::TotalEnergy],
+        &[
+            Channel::RotationalEnergy,
+            Channel::TranslationalEnergy,
+            Channel::PotentialEnergy,
+            Channel::TotalEnergy,
+            Channel::KineticEnergy,
+            Channel::JacobiIntegral,
+        ],
     ),
     ("drift, relative (1e-15)", &[Channel::EnergyDrift, Channel::MomentumDrift, Channel::Slip]),
     ("position in world axes (m)", &[Channel::Position]),
@@ -31,6 +38,15 @@ const PLOTS: [(&str, &[Channel]); 14] = [
     ("L in body axes (N m s)", &[Channel::AngularMomentumBody]),
     ("τ in world axes (N m)", &[Channel::MomentWorld]),
     ("attitude quaternion, world from body", &[Channel::Attitude]),
+    ("precession, nutation, spin (rad)", &[Channel::FigureAngles]),
+    ("rates of precession, nutation, spin (rad/s)", &[Channel::FigureRates]),
+    ("tilt from L, phase on the polhode (rad)", &[Channel::MomentumTilt, Channel::PolhodePhase]),
+    ("distance from the separatrix (1)", &[Channel::SeparatrixDistance]),
+    ("Kovalevskaya's integral (rad⁴/s⁴)", &[Channel::KovalevskayaIntegral]),
+    ("Euler angles about z, x, z (rad)", &[Channel::EulerZxz]),
+    ("Euler angles about z, y, z (rad)", &[Channel::EulerZyz]),
+    ("Euler angles about z, y, x (rad)", &[Channel::EulerZyx]),
+    ("Euler angles about x, y, z (rad)", &[Channel::EulerXyz]),
 ];
 
 /// How tops lean and go round: of several bodies one tab, the first, as they differ in nothing else.

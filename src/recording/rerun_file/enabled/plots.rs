@@ -130,9 +130,11 @@ pub(super) fn curves(channel: Channel, number: usize, bodies: &[RecordedBody]) -
 /// Place of a scalar among those that share its plot.
 fn companion(channel: Channel) -> usize {
     match channel {
-        Channel::TranslationalEnergy | Channel::MomentumDrift => 1,
+        Channel::TranslationalEnergy | Channel::MomentumDrift | Channel::PolhodePhase => 1,
         Channel::PotentialEnergy | Channel::Slip => 2,
         Channel::TotalEnergy => 3,
+        Channel::KineticEnergy => 4,
+        Channel::JacobiIntegral => 5,
         _ => 0,
     }
 }
@@ -156,6 +158,15 @@ fn symbol(channel: Channel) -> &'static str {
         Channel::Slip => "slip",
         Channel::Tilt => "tilt",
         Channel::PrecessionRate => "precession",
+        Channel::EulerZxz | Channel::EulerZyz | Channel::EulerZyx | Channel::EulerXyz => "angle",
+        // Their components say it.
+        Channel::FigureAngles | Channel::FigureRates => "",
+        Channel::MomentumTilt => "tilt from L",
+        Channel::PolhodePhase => "phase",
+        Channel::SeparatrixDistance => "distance",
+        Channel::KineticEnergy => "kinetic",
+        Channel::JacobiIntegral => "Jacobi",
+        Channel::KovalevskayaIntegral => "Kovalevskaya",
     }
 }
 
@@ -167,6 +178,9 @@ fn colours(channel: Channel) -> &'static [[u8; 3]] {
         Channel::TranslationalEnergy | Channel::Slip => &[palette::Y],
         Channel::PotentialEnergy | Channel::MomentumDrift => &[palette::Z],
         Channel::TotalEnergy | Channel::Tilt | Channel::PrecessionRate => &[palette::W],
+        Channel::MomentumTilt | Channel::SeparatrixDistance | Channel::KovalevskayaIntegral => &[palette::W],
+        Channel::KineticEnergy | Channel::PolhodePhase => &[palette::X],
+        Channel::JacobiIntegral => &[palette::Y],
         _ => &[palette::X, palette::Y, palette::Z],
     }
 }
