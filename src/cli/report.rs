@@ -90,6 +90,12 @@ impl Report {
                 number(check.expected),
                 format!("{:e} {}", check.tolerance, check.unit),
             ]);
+            if let Some(seen) = &check.observed {
+                let off = format!("off by {:.3e}", check.measured - seen.published);
+                let published = number(seen.published);
+                let uncertainty = format!("{:e} {}", seen.uncertainty, check.unit);
+                table.row([String::new(), "  as observed".into(), off, published, uncertainty]);
+            }
         }
         table.render("  ")
     }
@@ -114,6 +120,12 @@ impl Report {
                 "tolerance": check.tolerance,
                 "unit": check.unit,
                 "passed": check.passed,
+                "observed": check.observed.map(|seen| json!({
+                    "published": seen.published,
+                    "uncertainty": seen.uncertainty,
+                    "residual": check.measured - seen.published,
+                    "tolerance": seen.tolerance,
+                })),
             })
         };
         json!({

@@ -23,7 +23,7 @@ mod schema;
 mod watch;
 
 pub use certificate::Certificate;
-pub use check::{CheckKind, CheckOutcome, CheckPlan};
+pub use check::{CheckKind, CheckOutcome, CheckPlan, Observation};
 pub use cost::Cost;
 pub use error::{Excerpt, Refused, ScenarioError};
 pub use event::{Event, EventKind};
@@ -34,9 +34,10 @@ pub(crate) use plan::{MOST_BODIES, nudged};
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
-    BodySpec, BoxSpec, BrakeSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec, ForceSpec, ForceSpecs,
-    Frame, GravityGradientSpec, MeshSpec, Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance,
-    RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, TorqueSpecs, TorusSpec, ValueSpec,
+    BodySpec, BoxSpec, BrakeSpec, Checks, ConservedSpec, DampingSpec, DriftSpec, EllipsoidSpec, Extremum, ExtremumSpec,
+    FlipPeriodSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec, MeshSpec, Method, MomentSpec,
+    MontgomeryPhaseSpec, ObservedSpec, ParticleSpec, PeriodSpec, PivotSpec, PrecessionRateSpec, Provenance, RateSpec,
+    RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, StabilitySpec, TorqueSpecs, TorusSpec, ValueSpec, Verdict,
 };
 #[cfg(feature = "schema")]
 pub use schema::schema;

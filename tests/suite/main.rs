@@ -80,6 +80,8 @@ mod same_bytes;
 mod same_motion;
 #[cfg(feature = "serde")]
 mod scenarios;
+#[cfg(feature = "serde")]
+mod scene_checks;
 #[cfg(feature = "schema")]
 mod scene_schema;
 mod stress;

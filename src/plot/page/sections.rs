@@ -78,7 +78,7 @@ fn exactness_card(page: &Page<'_>, body: &RecordedBody) -> String {
 }
 
 fn check(check: &CheckOutcome) -> String {
-    let CheckOutcome { name, expected, measured, tolerance, unit, passed } = check;
+    let CheckOutcome { name, expected, measured, tolerance, unit, passed, .. } = check;
     let verdict = if *passed { "<td class=\"good\">✓ passed</td>" } else { "<td class=\"bad\">✗ failed</td>" };
     format!(
         "<tr>{verdict}<td>{}</td><td class=\"number\">{measured:?}</td><td class=\"number\">{expected:?}</td>\

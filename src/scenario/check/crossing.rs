@@ -8,6 +8,12 @@ const LOOKS: usize = 64;
 /// Twice the time between sign changes of ω along the middle principal axis, the period of the polhode, s; NaN if three
 /// do not come within three expected periods.
 pub fn flip_period(body: &PlannedBody, expected: f64) -> Result<f64, PropagationError> {
+    Ok(flips(body, expected)?.map_or(f64::NAN, |[first, third]| third - first))
+}
+
+/// The times, s, of the first sign change of ω along the middle principal axis and of the next but one, if they come within
+/// three expected periods.
+pub fn flips(body: &PlannedBody, expected: f64) -> Result<Option<[f64; 2]>, PropagationError> {
     let middle = middle_axis(body);
     let middle_rate = |times: &[f64]| -> Result<Vec<f64>, PropagationError> {
         let rates = body.sample(&[Channel::AngularVelocity], times)?;
@@ -21,20 +27,34 @@ pub fn flip_period(body: &PlannedBody, expected: f64) -> Result<f64, Propagation
     };
     let mut brackets = sign_changes(&evenly(0.0, 3.2 * expected, 64 * LOOKS), &middle_rate)?;
     if brackets.len() < 3 {
-        return Ok(f64::NAN);
+        return Ok(None);
     }
     brackets.truncate(3);
-    // Each round narrows every bracket 64-fold, all of them in one ascending pass: propagators do not go back.
+    let times = narrowed(brackets, &middle_rate)?;
+    Ok(Some([times[0], times[2]]))
+}
+
+/// What of a bracket's time it may be wide by, for its middle to be where the sign changes.
+const NARROW: f64 = 1e-12;
+
+/// The middles of brackets around sign changes of `values`, up and down in turn, once they are as narrow as they get; NaN
+/// where one holds several.
+///
+/// Each round narrows every bracket 64-fold, all of them in one ascending pass: propagators do not go back.
+pub fn narrowed(
+    mut brackets: Vec<(f64, f64)>,
+    values: &impl Fn(&[f64]) -> Result<Vec<f64>, PropagationError>,
+) -> Result<Vec<f64>, PropagationError> {
     for _ in 0..6 {
         let times: Vec<f64> = brackets.iter().flat_map(|(from, to)| evenly(*from, *to, LOOKS)).collect();
-        let narrower = sign_changes(&times, &middle_rate)?;
-        if narrower.len() != 3 {
+        let narrower = sign_changes(&times, values)?;
+        if narrower.len() != brackets.len() {
             break;
         }
         brackets = narrower;
     }
-    let middle_of = |(from, to): (f64, f64)| 0.5 * (from + to);
-    Ok(middle_of(brackets[2]) - middle_of(brackets[0]))
+    let middle = |(from, to): (f64, f64)| if to - from <= NARROW * to { 0.5 * (from + to) } else { f64::NAN };
+    Ok(brackets.into_iter().map(middle).collect())
 }
 
 /// Which principal axis has the middle moment.
@@ -46,7 +66,7 @@ fn middle_axis(body: &PlannedBody) -> usize {
 }
 
 /// Neighbouring times between which the values change sign.
-fn sign_changes(
+pub fn sign_changes(
     times: &[f64],
     values: &impl Fn(&[f64]) -> Result<Vec<f64>, PropagationError>,
 ) -> Result<Vec<(f64, f64)>, PropagationError> {

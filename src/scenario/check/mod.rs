@@ -2,8 +2,15 @@
 
 mod crossing;
 mod drift;
+mod extremum;
+mod kind;
+mod montgomery;
 mod outcome;
+mod period;
 mod precession;
+mod rate;
+mod stability;
 mod value;
 
-pub use outcome::{CheckKind, CheckOutcome, CheckPlan};
+pub use kind::CheckKind;
+pub use outcome::{CheckOutcome, CheckPlan, Observation};

@@ -1,6 +1,4 @@
-use nalgebra::Vector3;
-
-use super::{crossing, drift, precession, value};
+use super::{CheckKind, crossing, drift, extremum, montgomery, period, precession, rate, stability, value};
 use crate::propagation::PropagationError;
 use crate::scenario::{Frame, Plan, PlannedBody};
 use crate::telemetry::Channel;
@@ -18,43 +16,19 @@ pub struct CheckPlan {
     pub tolerance: f64,
     /// Of expected, measured and tolerance.
     pub unit: &'static str,
+    /// What the world says, in `unit`.
+    pub observed: Option<Observation>,
 }
 
-/// What a check measures.
-#[derive(Debug, Clone, PartialEq)]
-pub enum CheckKind {
-    /// Time between every other sign change of ω along the middle principal axis.
-    FlipPeriod,
-    /// Largest relative change of the energy over the duration.
-    Energy {
-        /// s.
-        duration: f64,
-    },
-    /// Largest relative departure of L from its law over the duration.
-    Momentum {
-        /// s.
-        duration: f64,
-    },
-    /// Mean rate at which something goes round an axis.
-    PrecessionRate {
-        /// World: the body axis round the world's. Body: ω round the body axis.
-        frame: Frame,
-        /// In body axes, unit.
-        axis: Vector3<f64>,
-        /// In world axes, unit; `None`: L at t = 0.
-        around: Option<Vector3<f64>>,
-        /// s.
-        duration: f64,
-    },
-    /// A component of a channel at a time.
-    Value {
-        /// Which channel.
-        channel: Channel,
-        /// Which component.
-        component: usize,
-        /// When, s.
-        time: f64,
-    },
+/// What was observed of a real body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Observation {
+    /// The published value.
+    pub published: f64,
+    /// Its uncertainty as published.
+    pub uncertainty: f64,
+    /// How far from it the model may be; `None`: it is told, not judged.
+    pub tolerance: Option<f64>,
 }
 
 /// A check after the run.
@@ -72,6 +46,8 @@ pub struct CheckOutcome {
     pub unit: &'static str,
     /// Whether they are near enough.
     pub passed: bool,
+    /// What was observed of a real body, in `unit`: where it is judged, `passed` says that too.
+    pub observed: Option<Observation>,
 }
 
 impl Plan {
@@ -88,26 +64,18 @@ impl CheckOutcome {
     /// Name, finding, what was expected, and the verdict.
     #[must_use]
     pub fn in_words(&self) -> String {
-        let Self { name, expected, measured, tolerance, unit, passed } = self;
+        let Self { name, expected, measured, tolerance, unit, passed, observed } = self;
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         let verdict = if *passed { "passed" } else { "FAILED" };
-        format!("{name}: {measured:?}{unit}, expected {expected:?} ± {tolerance:e}: {verdict}")
+        let observed = observed.map_or_else(String::new, |seen| {
+            let Observation { published, uncertainty, .. } = seen;
+            format!(", observed {published:?} ± {uncertainty:?} (off by {:.3e})", measured - published)
+        });
+        format!("{name}: {measured:?}{unit}, expected {expected:?} ± {tolerance:e}{observed}: {verdict}")
     }
 }
 
 impl CheckPlan {
-    /// Until when it looks, s; `None` if that depends on what it finds.
-    #[must_use]
-    pub const fn time(&self) -> Option<f64> {
-        match self.kind {
-            CheckKind::FlipPeriod => None,
-            CheckKind::Energy { duration }
-            | CheckKind::Momentum { duration }
-            | CheckKind::PrecessionRate { duration, .. } => Some(duration),
-            CheckKind::Value { time, .. } => Some(time),
-        }
-    }
-
     fn measure(&self, bodies: &[PlannedBody]) -> Result<CheckOutcome, PropagationError> {
         let body = &bodies[self.body];
         let measured = match &self.kind {
@@ -121,32 +89,33 @@ impl CheckPlan {
                 precession::in_body(body, axis, *duration, self.expected)?
             }
             CheckKind::Value { channel, component, time } => value::at(body, *channel, *component, *time)?,
+            CheckKind::Period { channel, component, level, cycles } => {
+                period::mean(body, (*channel, *component), *level, *cycles, self.expected)?
+            }
+            CheckKind::Rate { channel, component, duration } => {
+                rate::mean(body, (*channel, *component), *duration, self.expected)?
+            }
+            CheckKind::Extremum { channel, component, extremum, from, to } => {
+                extremum::within(body, (*channel, *component), *extremum, (*from, *to))?
+            }
+            CheckKind::Conserved { channel, component, duration } => {
+                drift::largest_change(body, (*channel, *component), *duration)?
+            }
+            CheckKind::Stability { axis, near, duration, .. } => {
+                stability::largest_angle(body, axis, near.as_ref(), *duration)?
+            }
+            CheckKind::MontgomeryPhase { period } => montgomery::phase(body, *period, self.expected)?,
         };
+        let is_observed =
+            |seen: &Observation| seen.tolerance.is_none_or(|tolerance| (measured - seen.published).abs() <= tolerance);
         Ok(CheckOutcome {
             name: self.name(bodies),
             expected: self.expected,
             measured,
             tolerance: self.tolerance,
             unit: self.unit,
-            passed: (measured - self.expected).abs() <= self.tolerance,
+            passed: (measured - self.expected).abs() <= self.tolerance && self.observed.iter().all(is_observed),
+            observed: self.observed,
         })
-    }
-
-    /// What is measured, of which of several bodies.
-    #[must_use]
-    pub fn name(&self, bodies: &[PlannedBody]) -> String {
-        let what = match &self.kind {
-            CheckKind::FlipPeriod => "flip period".to_owned(),
-            CheckKind::Energy { .. } => "energy drift".to_owned(),
-            CheckKind::Momentum { .. } => "momentum drift".to_owned(),
-            CheckKind::PrecessionRate { frame: Frame::World, .. } => "precession rate".to_owned(),
-            CheckKind::PrecessionRate { frame: Frame::Body, .. } => "precession rate in the body".to_owned(),
-            CheckKind::Value { channel, component, time } => {
-                let component = channel.row().components[*component];
-                let space = if component.is_empty() { "" } else { " " };
-                format!("{}{space}{component} at {time} s", channel.row().name)
-            }
-        };
-        if bodies.len() == 1 { what } else { format!("{}: {what}", bodies[self.body].name) }
     }
 }

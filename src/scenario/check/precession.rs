@@ -42,7 +42,7 @@ fn initial_momentum(body: &PlannedBody) -> Vector3<f64> {
 
 /// How many times to look: sixteen a turn at the expected rate, so that no turn is missed.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-fn looks(duration: f64, expected: f64) -> usize {
+pub fn looks(duration: f64, expected: f64) -> usize {
     (duration * expected.abs() / TAU * 16.0).clamp(256.0, 1e6) as usize
 }
 
@@ -52,7 +52,11 @@ fn mean_rate(directions: impl Iterator<Item = Vector3<f64>>, around: &Vector3<f6
     let least = pole.iamin();
     let Some(first) = pole.cross(&Vector3::ith(least, 1.0)).try_normalize(0.0) else { return f64::NAN };
     let second = pole.cross(&first);
-    let mut angles = directions.map(|direction| libm::atan2(direction.dot(&second), direction.dot(&first)));
+    unwrapped(directions.map(|direction| libm::atan2(direction.dot(&second), direction.dot(&first)))) / duration
+}
+
+/// From the first of these angles, −π to π, to the last, none more than half a turn from the one before it.
+pub fn unwrapped(mut angles: impl Iterator<Item = f64>) -> f64 {
     let Some(start) = angles.next() else { return f64::NAN };
     // Whole turns are counted, not added up: a sum of thousands of angles would round as often.
     let (mut turns, mut last) = (0.0, start);
@@ -60,5 +64,5 @@ fn mean_rate(directions: impl Iterator<Item = Vector3<f64>>, around: &Vector3<f6
         turns -= ((angle - last + PI) / TAU).floor();
         last = angle;
     }
-    (TAU * turns + (last - start)) / duration
+    TAU * turns + (last - start)
 }

@@ -3,6 +3,7 @@ use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
+use super::{ConservedSpec, ExtremumSpec, MontgomeryPhaseSpec, ObservedSpec, PeriodSpec, RateSpec, StabilitySpec};
 #[cfg(feature = "schema")]
 use crate::scenario::schema::structure;
 
@@ -21,6 +22,19 @@ pub struct Checks {
     pub precession_rate: Vec<PrecessionRateSpec>,
     /// A component of a channel at a time. The quaternion's sign is continuous from the start.
     pub value: Vec<ValueSpec>,
+    /// Time from one upward crossing of `level` to the next, located on the motion; of an angle that comes round, a turn.
+    pub period: Vec<PeriodSpec>,
+    /// Mean rate of an angle that comes round, whole turns counted.
+    pub rate: Vec<RateSpec>,
+    /// Least or greatest value of a component in a span of time, located on the motion.
+    pub extremum: Vec<ExtremumSpec>,
+    /// Largest change of a component at a thousand times over the duration, relative to its largest magnitude.
+    pub conserved: Vec<ConservedSpec>,
+    /// Largest angle between the body's `axis` and `near` at 4096 times: `stays` is met up to `angle_rad`, `leaves` from
+    /// it on.
+    pub stability: Vec<StabilitySpec>,
+    /// Angle that a free body of three different moments turns about L in a period of ω in the body.
+    pub montgomery_phase: Vec<MontgomeryPhaseSpec>,
 }
 
 /// Period of the flips: of the principal component of ω that changes sign.
@@ -37,6 +51,9 @@ pub struct FlipPeriodSpec {
     /// How far off it may be, s.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub tolerance_s: f64,
+    /// What the world says, s.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub observed: Option<ObservedSpec>,
 }
 
 /// A conserved quantity.
@@ -77,6 +94,9 @@ pub struct PrecessionRateSpec {
     /// How far off it may be, rad/s.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub tolerance_rad_s: f64,
+    /// What the world says, rad/s.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub observed: Option<ObservedSpec>,
 }
 
 /// Which axes a check speaks of.
@@ -104,7 +124,7 @@ pub struct ValueSpec {
     pub channel: String,
     /// Which component; left out: the channel is a scalar.
     #[cfg_attr(feature = "serde", serde(default))]
-    #[cfg_attr(feature = "schema", schemars(extend("enum" = ["w", "x", "y", "z"])))]
+    #[cfg_attr(feature = "schema", schemars(schema_with = "structure::component"))]
     pub component: Option<String>,
     /// When, s.
     #[cfg_attr(feature = "schema", schemars(range(min = 0)))]

@@ -69,6 +69,17 @@ pub fn channels(generator: &mut SchemaGenerator) -> Schema {
     json_schema!({ "type": "array", "items": channel(generator), "minItems": 1, "uniqueItems": true })
 }
 
+/// The name of a component of some channel.
+pub fn component(_: &mut SchemaGenerator) -> Schema {
+    let mut names = Vec::new();
+    for name in Channel::ALL.iter().flat_map(|channel| channel.row().components) {
+        if !name.is_empty() && !names.contains(name) {
+            names.push(*name);
+        }
+    }
+    json_schema!({ "type": "string", "enum": names })
+}
+
 fn needs(key: &str) -> Value {
     json!({ "required": [key] })
 }

@@ -17,7 +17,7 @@ pub struct Table {
 }
 
 /// One key of a table.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Key {
     pub name: String,
     /// With what it refers to filled in.

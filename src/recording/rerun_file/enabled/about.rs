@@ -171,7 +171,7 @@ fn findings(outcomes: &[CheckOutcome]) -> String {
     let head = "| check | measured | expected | at most off by | |\n|---|---|---|---|---|\n";
     let mut text = format!("\n#### What it was held to\n\n{head}");
     for outcome in outcomes {
-        let CheckOutcome { name, expected, measured, tolerance, unit, passed } = outcome;
+        let CheckOutcome { name, expected, measured, tolerance, unit, passed, .. } = outcome;
         let verdict = if *passed { "met" } else { "**FAILED**" };
         // Of a value that must be zero, no digit but the first few means anything.
         let shown = |value: f64| if *expected == 0.0 { number(value) } else { value.to_string() };

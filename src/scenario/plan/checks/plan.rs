@@ -1,7 +1,9 @@
-use super::channels::{missing_law, named};
-use super::rules::{finite, not_negative, positive, unit_vector};
-use crate::scenario::nearest;
-use crate::scenario::{CheckKind, CheckPlan, Key, PlannedBody, Refusal, Scenario, ValueSpec};
+use super::{channel, motion};
+use crate::scenario::plan::channels::{missing_law, named};
+use crate::scenario::plan::rules::{finite, not_negative, positive, unit_vector};
+use crate::scenario::{
+    CheckKind, CheckPlan, Key, Observation, ObservedSpec, PlannedBody, Refusal, Scenario, ValueSpec, nearest,
+};
 use crate::telemetry::Channel;
 
 /// Every check of the scene, ready to be measured.
@@ -16,6 +18,7 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
             expected: positive(&key.field("expected_s"), spec.expected_s)?,
             tolerance: positive(&key.field("tolerance_s"), spec.tolerance_s)?,
             unit: "s",
+            observed: observation(&key, spec.observed)?,
         });
     }
     let laws = [
@@ -30,7 +33,7 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
                 return Err(key.refuse(format_args!("{field} {rule}")));
             }
             let tolerance = positive(&key.field("tolerance"), spec.tolerance)?;
-            plans.push(CheckPlan { body, kind: kind.clone(), expected: 0.0, tolerance, unit: "" });
+            plans.push(CheckPlan { body, kind: kind.clone(), expected: 0.0, tolerance, unit: "", observed: None });
         }
     }
     for (index, spec) in scenario.check.precession_rate.iter().enumerate() {
@@ -47,37 +50,64 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
             expected: finite(&key.field("expected_rad_s"), spec.expected_rad_s)?,
             tolerance: positive(&key.field("tolerance_rad_s"), spec.tolerance_rad_s)?,
             unit: "rad/s",
+            observed: observation(&key, spec.observed)?,
         });
     }
     for (index, spec) in scenario.check.value.iter().enumerate() {
         plans.push(value(&root.field("value").index(index), spec, bodies)?);
     }
+    plans.extend(channel::plan(&root, &scenario.check, bodies, end)?);
+    plans.extend(motion::plan(&root, &scenario.check, bodies, end)?);
     Ok(plans)
 }
 
 fn value(key: &Key, spec: &ValueSpec, bodies: &[PlannedBody]) -> Result<CheckPlan, Refusal> {
     let body = body(key, spec.body.as_deref(), bodies)?;
-    let channel_key = key.field("channel");
-    let channel = named(&channel_key, &spec.channel)?;
-    if let Some(rule) = missing_law(&bodies[body].problem, channel) {
-        return Err(channel_key.refuse(format_args!("{:?} {rule}", spec.channel)));
-    }
-    let components = channel.row().components;
-    let asked = spec.component.as_deref().unwrap_or_default();
-    let component = components.iter().position(|component| *component == asked).ok_or_else(|| {
-        let known = components.join(", ");
-        key.field("component").refuse(format_args!("{asked:?} is no component of {}: {known}", spec.channel))
-    })?;
+    let (channel, component) = quantity(key, &bodies[body], &spec.channel, spec.component.as_deref())?;
     Ok(CheckPlan {
         body,
         kind: CheckKind::Value { channel, component, time: not_negative(&key.field("time_s"), spec.time_s)? },
         expected: finite(&key.field("expected"), spec.expected)?,
         tolerance: positive(&key.field("tolerance"), spec.tolerance)?,
         unit: channel.row().unit,
+        observed: None,
     })
 }
 
-fn body(key: &Key, name: Option<&str>, bodies: &[PlannedBody]) -> Result<usize, Refusal> {
+/// The channel called `name`, which `body` must have, and the number of the component.
+pub fn quantity(
+    key: &Key,
+    body: &PlannedBody,
+    name: &str,
+    component: Option<&str>,
+) -> Result<(Channel, usize), Refusal> {
+    let channel_key = key.field("channel");
+    let channel = named(&channel_key, name)?;
+    if let Some(rule) = missing_law(&body.problem, channel) {
+        return Err(channel_key.refuse(format_args!("{name:?} {rule}")));
+    }
+    let components = channel.row().components;
+    let asked = component.unwrap_or_default();
+    let component = components.iter().position(|component| *component == asked).ok_or_else(|| {
+        let known = components.join(", ");
+        key.field("component").refuse(format_args!("{asked:?} is no component of {name}: {known}"))
+    })?;
+    Ok((channel, component))
+}
+
+/// What was observed, if a check tells it.
+pub fn observation(key: &Key, spec: Option<ObservedSpec>) -> Result<Option<Observation>, Refusal> {
+    let Some(spec) = spec else { return Ok(None) };
+    let key = key.field("observed");
+    let tolerance = spec.tolerance.map(|tolerance| positive(&key.field("tolerance"), tolerance)).transpose()?;
+    Ok(Some(Observation {
+        published: finite(&key.field("published"), spec.published)?,
+        uncertainty: not_negative(&key.field("uncertainty"), spec.uncertainty)?,
+        tolerance,
+    }))
+}
+
+pub fn body(key: &Key, name: Option<&str>, bodies: &[PlannedBody]) -> Result<usize, Refusal> {
     let Some(name) = name else { return Ok(0) };
     bodies.iter().position(|body| body.name == name).ok_or_else(|| {
         let known: Vec<_> = bodies.iter().map(|body| body.name.as_str()).collect();
