@@ -95,11 +95,12 @@ fn bodies_take_a_closed_form_where_one_is_known_and_taylor_series_elsewhere() {
         for body in plan(name).bodies {
             let is_as_expected = match body.path {
                 Path::ClosedForm => body.problem.loads.is_empty(),
-                Path::LagrangeTop => name == "lagrange_top",
+                Path::LagrangeTop => ["lagrange_top", "sleeping_top"].contains(&name),
                 Path::AxialTorque => name == "spin_up",
                 Path::MomentumBrake => name == "momentum_brake",
                 Path::Taylor { .. } => {
-                    !["lagrange_top", "momentum_brake", "spin_up"].contains(&name) && !body.problem.loads.is_empty()
+                    let is_solved = ["lagrange_top", "momentum_brake", "sleeping_top", "spin_up"].contains(&name);
+                    !is_solved && !body.problem.loads.is_empty()
                 }
                 _ => false,
             };
@@ -189,7 +190,8 @@ fn examples_of_the_manual_are_scenes_that_pass_their_checks() {
 
 /// Of attitude, rad, and of ω and L, relative: the steppers' roundings over a whole scene.
 const CERTIFIED: f64 = 2e-14;
-/// The same where a swing all but reaches upright, again and again: there a rounding of the start grows a thousandfold.
+/// The same where a swing all but reaches upright, again and again, and of a top that comes near motions which are not
+/// stable: there a rounding of the start grows a thousandfold.
 const CERTIFIED_NEAR_UPRIGHT: f64 = 2e-13;
 /// Some hundred times as many turns as the reference can follow: its certificate must say that it does not reach.
 const BEYOND_REACH: &str = "gravity_probe_b";
@@ -213,7 +215,8 @@ fn every_scene_is_certified_to_rounding_to_its_end() {
                 Some(certificate.angular_velocity_relative),
                 certificate.angular_momentum_relative,
             ];
-            let limit = if body.name == "swing_85" { CERTIFIED_NEAR_UPRIGHT } else { CERTIFIED };
+            let is_touchy = ["swing_85", "pitch_85", "cross"].contains(&body.name.as_str());
+            let limit = if is_touchy { CERTIFIED_NEAR_UPRIGHT } else { CERTIFIED };
             assert!(relative.iter().flatten().all(|error| *error < limit), "{name}, {}: {certificate:?}", body.name);
             assert!(
                 certificate.position_m.is_none_or(|error| error < CERTIFIED_M),

@@ -45,7 +45,7 @@ pub fn narrowed(
     mut brackets: Vec<(f64, f64)>,
     values: &impl Fn(&[f64]) -> Result<Vec<f64>, PropagationError>,
 ) -> Result<Vec<f64>, PropagationError> {
-    for _ in 0..6 {
+    for _ in 0..9 {
         let times: Vec<f64> = brackets.iter().flat_map(|(from, to)| evenly(*from, *to, LOOKS)).collect();
         let narrower = sign_changes(&times, values)?;
         if narrower.len() != brackets.len() {

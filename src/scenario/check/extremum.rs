@@ -21,8 +21,8 @@ pub fn within(
     };
     let mut times = evenly(from, to, LOOKS);
     let mut best = f64::NAN;
-    // An extremum is flat: its value is known to rounding once its time is to 1e-8 of the span.
-    for _ in 0..4 {
+    // An extremum is flat: its value is known to rounding once its time is to 1e-8 of what it turns in.
+    for _ in 0..6 {
         let samples = body.sample(&[channel], &times)?;
         let values = &samples.columns()[component];
         let mut at = 0;
