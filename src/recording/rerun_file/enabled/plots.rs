@@ -174,13 +174,17 @@ fn symbol(channel: Channel) -> &'static str {
 fn colours(channel: Channel) -> &'static [[u8; 3]] {
     match channel {
         Channel::Attitude => &[palette::W, palette::X, palette::Y, palette::Z],
-        Channel::RotationalEnergy | Channel::EnergyDrift => &[palette::X],
-        Channel::TranslationalEnergy | Channel::Slip => &[palette::Y],
+        Channel::RotationalEnergy | Channel::EnergyDrift | Channel::KineticEnergy | Channel::PolhodePhase => {
+            &[palette::X]
+        }
+        Channel::TranslationalEnergy | Channel::Slip | Channel::JacobiIntegral => &[palette::Y],
         Channel::PotentialEnergy | Channel::MomentumDrift => &[palette::Z],
-        Channel::TotalEnergy | Channel::Tilt | Channel::PrecessionRate => &[palette::W],
-        Channel::MomentumTilt | Channel::SeparatrixDistance | Channel::KovalevskayaIntegral => &[palette::W],
-        Channel::KineticEnergy | Channel::PolhodePhase => &[palette::X],
-        Channel::JacobiIntegral => &[palette::Y],
+        Channel::TotalEnergy
+        | Channel::Tilt
+        | Channel::PrecessionRate
+        | Channel::MomentumTilt
+        | Channel::SeparatrixDistance
+        | Channel::KovalevskayaIntegral => &[palette::W],
         _ => &[palette::X, palette::Y, palette::Z],
     }
 }
