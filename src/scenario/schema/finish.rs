@@ -2,13 +2,14 @@ use serde_json::{Map, Value, json};
 
 use super::unit::unit;
 
-/// Makes a derived schema one of TOML: there is no null and no `double`, keys have units, and a default that is told in
+/// Makes a derived schema one of TOML: there is no null, and no `double` or `uint16`; keys have units, and a default that is told in
 /// words (``left out: `1` ``) is one that programs can read.
 pub fn finish(value: &mut Value) {
     match value {
         Value::Object(schema) => {
             without_null(schema);
-            if schema.get("format") == Some(&json!("double")) {
+            // A key may be called so, too: that is no text.
+            if schema.get("format").is_some_and(Value::is_string) {
                 schema.remove("format");
             }
             if let Some(Value::Object(properties)) = schema.get_mut("properties") {

@@ -26,6 +26,7 @@ fn parser_and_schema_know_the_same_keys_of_every_table() {
         let of_parser: BTreeSet<_> = table.keys_of_parser().into_iter().collect();
         assert_eq!(of_schema, of_parser, "{}", table.path);
         assert!(table.keys.iter().all(|key| !key.description().is_empty()), "{}: each key has words", table.path);
+        assert!(table.keys.iter().all(|key| key.schema["format"].is_null()), "{}: TOML has no formats", table.path);
     }
 }
 
