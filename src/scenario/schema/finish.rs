@@ -2,8 +2,8 @@ use serde_json::{Map, Value, json};
 
 use super::unit::unit;
 
-/// Makes a derived schema one of TOML: there is no null, and no `double` or `uint16`; keys have units, and a default that is told in
-/// words (``left out: `1` ``) is one that programs can read.
+/// Makes a derived schema one of TOML: there is no null, and no `double` or `uint16`; keys have units, and a default that
+/// is told in words (``left out: `1` ``) is one that programs can read.
 pub fn finish(value: &mut Value) {
     match value {
         Value::Object(schema) => {

@@ -164,8 +164,8 @@ fn names(schema: &Value) -> Vec<&str> {
 fn range(schema: &Value) -> String {
     let number = |key: &str| {
         schema[key].as_f64().map(|bound| match bound {
-            0.0 => "0".to_owned(),
             PI => "π".to_owned(),
+            whole if whole.fract() == 0.0 => whole.to_string(),
             bound => format!("{bound:?}"),
         })
     };
