@@ -1,7 +1,9 @@
+use std::sync::Arc;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::torque::{gradient_moment, radial_direction};
-use super::{DynamicsError, Problem, Torque};
+use super::{DynamicsError, GeneralLoad, Problem, Torque};
 use crate::body::PrincipalMoments;
 
 /// Everything that acts at once, summed into one term of each form.
@@ -21,6 +23,8 @@ pub struct Combined {
     pub body_acceleration: Vector3<f64>,
     /// Acceleration by gravity and by forces constant in the world, m/s²; world axes. Zero if not wanted.
     pub world_acceleration: Vector3<f64>,
+    /// What does not add up so.
+    pub general: Vec<Arc<GeneralLoad>>,
 }
 
 /// A moment A Rᵀ w, linear in the body image of a vector constant in the world.
@@ -71,6 +75,7 @@ impl Combined {
             brake: 0.0,
             gradient: None,
             body_acceleration: Vector3::zeros(),
+            general: Vec::new(),
             world_acceleration: if problem.wants_translation { problem.gravity } else { Vector3::zeros() },
         };
         for load in problem.loads.iter().filter(|load| load.window.contains(time)) {
@@ -98,6 +103,12 @@ impl Combined {
                 self.world_acceleration += acceleration(force, problem)?;
             }
             Torque::GravityGradient { mean_motion } => self.add_gradient(mean_motion)?,
+            Torque::General(ref load) => {
+                if load.kind.pushes() && problem.wants_translation && problem.mass.is_none() {
+                    return Err(DynamicsError::NoMass);
+                }
+                self.general.push(Arc::clone(load));
+            }
         }
         Ok(())
     }
@@ -126,7 +137,7 @@ impl Combined {
     /// Whether the moment depends on the attitude.
     #[must_use]
     pub fn needs_attitude(&self) -> bool {
-        !self.couples.is_empty() || self.gradient.is_some() || self.body_acceleration != Vector3::zeros()
+        !self.couples.is_empty() || self.gradient.is_some() || self.body_acceleration != Vector3::zeros() || !self.general.is_empty()
     }
 
     /// The moment at `time` in s, N m; `body_from_world` is the transposed rotation matrix, all in principal axes.

@@ -60,7 +60,8 @@ impl Problem {
                 | Torque::ForceBody { .. }
                 | Torque::LinearDamping { .. }
                 | Torque::MomentumBrake { .. }
-                | Torque::GravityGradient { .. } => return None,
+                | Torque::GravityGradient { .. }
+                | Torque::General(_) => return None,
             }
         }
         Some(law)

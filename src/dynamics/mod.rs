@@ -1,11 +1,14 @@
 //! What makes a body turn: torques and forces, Euler's equations, the laws that motions obey.
 //!
 //! A [`Problem`] lists [`Load`]s as they were asked for. A [`Schedule`] is the same, ready to be integrated: cut where
-//! windows open and close, and in each [`Span`] everything that acts summed into one [`Combined`].
+//! windows open and close, and in each [`Span`] everything that acts summed into one [`Combined`]. Loads of kinds that do not
+//! add up so are [`General`]: operations on a tape, of which the rest can be made too.
 
 mod combined;
 mod error;
 mod euler;
+pub mod formula;
+mod general;
 mod invariants;
 mod laws;
 mod problem;
@@ -15,6 +18,7 @@ mod torque;
 pub use combined::{Combined, Couple, Gradient};
 pub use error::DynamicsError;
 pub use euler::{EulerEquations, attitude_rate};
+pub use general::{FormulaLoad, FormulaPlace, General, GeneralLoad, Push, Symbols};
 pub use invariants::{jacobi_integral, momentum_in_world, potential_energy, rotational_energy, translational_energy};
 pub use laws::{EnergyLaw, MomentumLaw};
 pub use problem::Problem;

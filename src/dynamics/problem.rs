@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::Load;
+use super::{GeneralLoad, Load, Torque};
 use crate::body::{PrincipalMoments, State};
 
 /// An initial value problem: a body, its state at t = 0, and what acts on it. All in principal axes.
@@ -20,4 +20,26 @@ pub struct Problem {
     pub wants_attitude: bool,
     /// Whether position and velocity are asked for.
     pub wants_translation: bool,
+}
+
+impl Problem {
+    /// Whether a load has no recurrence of its own.
+    #[must_use]
+    pub fn is_general(&self) -> bool {
+        self.general().next().is_some()
+    }
+
+    /// Whether a load looks at where the reference point is, or how fast it moves.
+    #[must_use]
+    pub fn looks_at_translation(&self) -> bool {
+        self.general().any(|load| load.kind.looks_at_translation())
+    }
+
+    /// The loads without a recurrence of their own.
+    fn general(&self) -> impl Iterator<Item = &GeneralLoad> {
+        self.loads.iter().filter_map(|load| match &load.torque {
+            Torque::General(load) => Some(load.as_ref()),
+            _ => None,
+        })
+    }
 }

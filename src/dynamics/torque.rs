@@ -1,5 +1,8 @@
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
+use super::GeneralLoad;
 use crate::body::{Moment, PrincipalMoments, State};
 
 /// A moment that depends on time and state: a library user's own, for the Runge–Kutta methods.
@@ -29,7 +32,7 @@ impl Window {
 }
 
 /// What acts on a body. Vectors "in body" are in **principal** axes, arms go from the reference point.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Torque {
     /// τ = constant in the body, N m.
     ConstantBody {
@@ -70,10 +73,12 @@ pub enum Torque {
         /// n, rad/s.
         mean_motion: f64,
     },
+    /// A kind without a recurrence of its own.
+    General(Arc<GeneralLoad>),
 }
 
 /// A torque or force, and when it acts.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// What acts.
     pub torque: Torque,
@@ -98,15 +103,23 @@ impl Torque {
                 let radial = state.attitude.to_body(&radial_direction(mean_motion, time));
                 gradient_moment(moments, 3.0 * mean_motion * mean_motion, &radial)
             }
+            Self::General(ref load) => load.moment(time, state),
         }
     }
 
-    /// The force on the reference point, N; world axes. Zero for pure moments.
+    /// Whether it is of a general kind that pushes the reference point.
     #[must_use]
-    pub fn force(&self, state: &State) -> Vector3<f64> {
+    pub fn is_general_force(&self) -> bool {
+        matches!(self, Self::General(load) if load.kind.pushes())
+    }
+
+    /// The force on the reference point at `time` in s, N; world axes. Zero for pure moments.
+    #[must_use]
+    pub fn force(&self, time: f64, state: &State) -> Vector3<f64> {
         match *self {
             Self::ForceBody { force, .. } => state.attitude.to_world(&force),
             Self::ForceWorld { force, .. } => force,
+            Self::General(ref load) => load.force(time, state),
             _ => Vector3::zeros(),
         }
     }
@@ -122,7 +135,7 @@ impl Load {
     /// The force on the reference point at `time` in s, N, world axes; zero outside the window.
     #[must_use]
     pub fn force(&self, time: f64, state: &State) -> Vector3<f64> {
-        if self.window.contains(time) { self.torque.force(state) } else { Vector3::zeros() }
+        if self.window.contains(time) { self.torque.force(time, state) } else { Vector3::zeros() }
     }
 }
 

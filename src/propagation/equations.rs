@@ -92,7 +92,14 @@ impl Equations {
         if let Some(model) = &self.model {
             moment += model.moment(time, &state(values)).in_body();
         }
-        let acceleration = loads.world_acceleration + body_from_world.tr_mul(&loads.body_acceleration);
+        let mut acceleration = loads.world_acceleration + body_from_world.tr_mul(&loads.body_acceleration);
+        for load in &loads.general {
+            let state = state(values);
+            moment += load.moment(time, &state);
+            if let (true, Some(mass)) = (self.problem.wants_translation, self.problem.mass) {
+                acceleration += load.force(time, &state) / mass;
+            }
+        }
         Push { moment, acceleration }
     }
 

@@ -24,7 +24,7 @@ fn under(name: &str) -> Problem {
 
 fn pulsed() -> Problem {
     let mut problem = under("constant body");
-    problem.loads[0] = Load { window: Window { start: 2.3, end: 4.1 }, ..problem.loads[0] };
+    problem.loads[0] = Load { window: Window { start: 2.3, end: 4.1 }, torque: problem.loads[0].torque.clone() };
     problem
 }
 

@@ -68,7 +68,7 @@ fn every_method_is_of_its_order_on_every_smooth_torque() {
 #[test]
 fn windows_are_hit() {
     let times = grid(END, 3);
-    let mut problem = problem(MOMENTS, RATES, &[every_torque()[0].1]);
+    let mut problem = problem(MOMENTS, RATES, &[every_torque()[0].1.clone()]);
     for method in
         FixedStepMethod::ALL.into_iter().filter(|method| method.information().coverage != Coverage::TorqueFree)
     {

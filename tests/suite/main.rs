@@ -35,6 +35,8 @@ mod foreign_messages;
 mod foreign_tables;
 mod free_laws;
 mod full_disks;
+#[cfg(feature = "serde")]
+mod general_loads;
 #[cfg(feature = "cli")]
 mod golden;
 #[cfg(feature = "golden")]
@@ -74,6 +76,7 @@ mod same_motion;
 #[cfg(feature = "serde")]
 mod scenarios;
 mod stress;
+mod tapes;
 mod torque_laws;
 mod trajectories;
 #[cfg(feature = "serde")]

@@ -23,7 +23,7 @@ pub fn problem(moments: [f64; 3], rates: [f64; 3], torques: &[Torque]) -> Proble
             position: Vector3::new(1.0, -2.0, 0.5),
             velocity: Vector3::new(0.1, 0.2, -0.3),
         },
-        loads: torques.iter().map(|torque| Load { torque: *torque, window: Window::ALWAYS }).collect(),
+        loads: torques.iter().map(|torque| Load { torque: torque.clone(), window: Window::ALWAYS }).collect(),
         gravity: Vector3::zeros(),
         wants_attitude: true,
         wants_translation: false,

@@ -54,7 +54,7 @@ fn problems() -> Vec<(String, Problem, f64)> {
         let pulsed = ("pulsed", RATES, end, pulse);
         for (motion, rates, end, window) in cases.into_iter().chain([pulsed]) {
             let mut problem = problem(MOMENTS, rates, &[]);
-            problem.loads = vec![Load { torque, window }];
+            problem.loads = vec![Load { torque: torque.clone(), window }];
             problems.push((format!("{name}, {motion}, {end} s"), problem, end));
         }
     }
@@ -105,7 +105,7 @@ fn promises_are_kept_at_a_cost_near_the_least() {
 
 #[test]
 fn what_f64_cannot_keep_is_refused_and_a_stepper_that_was_asked_for_says_so() {
-    let (_, torque) = every_torque()[0];
+    let (_, torque) = every_torque().swap_remove(0);
     let body = body(problem(MOMENTS, [1e-3, 2.0, -7e-4], &[torque]));
     let grid = grid(200.0);
     let message = body.clone().keeping(Method::Auto, 3e-15, &grid).expect_err("beyond f64").to_string();
@@ -119,7 +119,7 @@ fn what_f64_cannot_keep_is_refused_and_a_stepper_that_was_asked_for_says_so() {
 
 #[test]
 fn a_run_too_long_to_be_tried_says_how_far_it_was() {
-    let (_, torque) = every_torque()[0];
+    let (_, torque) = every_torque().swap_remove(0);
     let body = body(problem(MOMENTS, RATES, &[torque]));
     let long = Grid::Uniform { every_s: 1e5, count: 10_001 };
     let reason = body.keeping(Method::Taylor, 1e-3, &long).expect("a yardstick").reason;

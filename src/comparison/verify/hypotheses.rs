@@ -145,7 +145,10 @@ fn other_bodies(subject: &Subject, series: &Series) -> Vec<(Cause, PlannedBody, 
         all.extend(fitted(body, series));
         return all;
     }
-    let swapped = |load: &Load| Load { torque: swapped(load.torque, body.properties.body_from_principal), ..*load };
+    let swapped = |load: &Load| Load {
+        torque: swapped(load.torque.clone(), body.properties.body_from_principal),
+        window: load.window,
+    };
     let changes: [(Cause, Vec<Load>, &str); 3] = [
         (
             Cause::TorqueInWrongFrame,
@@ -193,14 +196,14 @@ fn swapped(torque: Torque, body_from_principal: UnitQuaternion<f64>) -> Torque {
 }
 
 fn reversed(load: &Load) -> Load {
-    let torque = match load.torque {
+    let torque = match load.torque.clone() {
         Torque::ConstantBody { moment } => Torque::ConstantBody { moment: -moment },
         Torque::ConstantWorld { moment } => Torque::ConstantWorld { moment: -moment },
         Torque::ForceBody { force, arm } => Torque::ForceBody { force: -force, arm },
         Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: -force, arm },
         other => other,
     };
-    Load { torque, ..*load }
+    Load { torque, window: load.window }
 }
 
 /// |ω| at its largest again and again, where it should have gone beyond.

@@ -57,8 +57,8 @@ impl FixedStep {
             Coverage::TorqueFree if !problem.loads.is_empty() || model.is_some() => {
                 return Err(not_covered("nothing may act on the body"));
             }
-            Coverage::ListedLoads if model.is_some() => {
-                return Err(not_covered("it knows the flow of the listed loads only, not of a model"));
+            Coverage::ListedLoads if model.is_some() || problem.is_general() => {
+                return Err(not_covered("it knows the flow of constants, couples and damping only"));
             }
             _ => {}
         }

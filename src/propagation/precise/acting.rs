@@ -94,6 +94,8 @@ impl Acting {
                 let factors = std::array::from_fn(|i| before[i] + self.coupling[i] * strength);
                 self.gradient = Some((factors, mean_motion));
             }
+            // A problem with one goes by the general path, and not this way.
+            Torque::General(_) => {}
         }
     }
 

@@ -61,7 +61,7 @@ fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: Stri
     };
     let recorded = channels::choose(scenario, &problem, moves)?;
     // What else is propagated bears on the steps, and a trial is to make those of the run.
-    problem.wants_translation = wants_translation(moves, &recorded);
+    problem.wants_translation = wants_translation(&problem, moves, &recorded);
     let accuracy = path::accuracy(scenario, grid)?;
     work::check(scenario, &problem, moves, grid.end())?;
     let (path, reason) = path::choose(scenario, &problem, moves, &accuracy)?;

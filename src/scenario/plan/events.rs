@@ -57,5 +57,6 @@ fn describe(load: &Load) -> String {
         Torque::ForceBody { force, .. } => format!("body force {} N", three(force)),
         Torque::ForceWorld { force, .. } => format!("world force {} N", three(force)),
         Torque::GravityGradient { .. } => "gravity gradient".to_owned(),
+        Torque::General(load) => load.kind.name().to_owned(),
     }
 }

@@ -1,5 +1,6 @@
 use nalgebra::Vector3;
 
+use super::general_loads;
 use super::rules::{not_negative, optional_vector, positive, vector};
 use crate::body::MassProperties;
 use crate::dynamics::{Load, Torque, Window};
@@ -61,9 +62,12 @@ pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<A
         let (force, arm, window) = force(&key, spec, properties)?;
         loads.push(Load { torque: Torque::ForceWorld { force, arm }, window });
     }
+    loads.extend(general_loads::plan(key, spec, properties)?);
     let gravity_key = key.field("gravity_m_s2");
     let gravity = optional_vector(&gravity_key, spec.gravity_m_s2)?;
-    let has_forces = !spec.force.constant_body.is_empty() || !spec.force.constant_world.is_empty();
+    let has_forces = !spec.force.constant_body.is_empty()
+        || !spec.force.constant_world.is_empty()
+        || loads.iter().any(|load| load.torque.is_general_force());
     let is_pulled = gravity != Vector3::zeros();
     if properties.mass.is_none() && (is_pulled || (has_forces && spec.pivot.is_none())) {
         let asked = if is_pulled { gravity_key } else { forces };
@@ -91,7 +95,7 @@ fn force(
     Ok((vector(&key.field("force_n"), spec.force_n)?, arm, window(key, spec.start_s, spec.end_s)?))
 }
 
-fn window(key: &Key, start: Option<f64>, end: Option<f64>) -> Result<Window, Refusal> {
+pub fn window(key: &Key, start: Option<f64>, end: Option<f64>) -> Result<Window, Refusal> {
     let start = start.map_or(Ok(Window::ALWAYS.start), |start| not_negative(&key.field("start_s"), start))?;
     let end = end.map_or(Ok(Window::ALWAYS.end), |end| positive(&key.field("end_s"), end))?;
     if end <= start {

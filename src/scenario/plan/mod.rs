@@ -4,6 +4,7 @@ mod bodies;
 mod channels;
 mod checks;
 mod events;
+mod general_loads;
 mod loads;
 mod mass;
 mod mesh;

@@ -68,7 +68,7 @@ pub fn choose(
         unused(&Key::root("tolerance_rad"), scenario.tolerance_rad.as_ref(), rule)?;
     }
     if let Some(method) = fixed_step {
-        return with_fixed_step(scenario, problem.loads.is_empty(), method);
+        return with_fixed_step(scenario, problem, method);
     }
     match scenario.method {
         Method::ClosedForm => {
@@ -103,7 +103,11 @@ fn by_steps(stepper: Stepper, problem: &Problem, accuracy: &Accuracy, asked: &st
 /// Of what has no closed form.
 fn automatic(problem: &Problem, accuracy: &Accuracy) -> Result<(Path, String), Refusal> {
     let Accuracy::Promise(promise, grid) = accuracy else {
-        let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
+        let reason = if problem.is_general() {
+            "a load has no recurrence of its own: general Taylor series, by automatic differentiation of all that acts"
+        } else {
+            "a torque acts: Taylor series are the cheapest way to full accuracy"
+        };
         return by_steps(Stepper::Taylor, problem, accuracy, reason);
     };
     match kept(problem, grid, *promise, &[Stepper::Taylor, Stepper::Dop853])? {
@@ -142,9 +146,13 @@ pub fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str
     None
 }
 
-fn with_fixed_step(scenario: &Scenario, is_free: bool, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
+fn with_fixed_step(scenario: &Scenario, problem: &Problem, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
     let Information { name, coverage, .. } = method.information();
-    if coverage == Coverage::TorqueFree && !is_free {
+    if coverage == Coverage::ListedLoads && problem.is_general() {
+        let rule = format_args!("\"{name}\" knows the flow of constants, couples and damping only");
+        return Err(Key::root("method").refuse(rule));
+    }
+    if coverage == Coverage::TorqueFree && !problem.loads.is_empty() {
         let rule = format_args!("\"{name}\" needs a body without torques and forces");
         return Err(Key::root("method").refuse(rule));
     }

@@ -1,6 +1,8 @@
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
+use super::{ForceFormulaSpec, TorqueFormulaSpec};
+
 macro_rules! windowed {
     ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $kind:ty),+ $(,)? }) => {
         $(#[$doc])*
@@ -18,6 +20,8 @@ macro_rules! windowed {
     };
 }
 
+pub(super) use windowed;
+
 /// Torques by kind; any number of each.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields, default))]
@@ -32,6 +36,8 @@ pub struct TorqueSpecs {
     pub momentum_brake: Vec<BrakeSpec>,
     /// On a circular orbit in the world x-y plane, from (1, 0, 0) at t = 0.
     pub gravity_gradient: Vec<GravityGradientSpec>,
+    /// By formulae of time and motion.
+    pub formula: Vec<TorqueFormulaSpec>,
 }
 
 windowed! {
@@ -80,4 +86,6 @@ pub struct ForceSpecs {
     pub constant_body: Vec<ForceSpec>,
     /// Constant in world axes.
     pub constant_world: Vec<ForceSpec>,
+    /// By formulae of time and motion.
+    pub formula: Vec<ForceFormulaSpec>,
 }

@@ -2,12 +2,14 @@
 
 mod body;
 mod checks;
+mod general_loads;
 mod loads;
 mod scenario;
 mod solids;
 
 pub use body::{BodySpec, MeshSpec, ParticleSpec, PivotSpec};
 pub use checks::{Checks, DriftSpec, FlipPeriodSpec, Frame, PrecessionRateSpec, ValueSpec};
+pub use general_loads::{ForceFormulaSpec, TorqueFormulaSpec};
 pub use loads::{BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

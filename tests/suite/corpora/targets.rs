@@ -207,6 +207,8 @@ fn pace(problem: &Problem) -> f64 {
         Torque::MomentumBrake { rate } => rate,
         Torque::ForceBody { force, arm } | Torque::ForceWorld { force, arm } => turning(force.norm() * arm.norm()),
         Torque::GravityGradient { mean_motion } => mean_motion * (1.0 + turning(largest)),
+        // Whatever its author wrote: not a step of it.
+        Torque::General(_) => f64::INFINITY,
     });
     let spin = problem.initial.angular_velocity.in_body().norm() * largest / smallest;
     loads.sum::<f64>() + spin

@@ -53,6 +53,7 @@ pub fn loaded() -> impl Strategy<Value = Problem> {
                 Torque::ForceBody { force, arm } => Torque::ForceBody { force: force * moment_unit, arm },
                 Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: force * moment_unit, arm },
                 Torque::GravityGradient { mean_motion } => Torque::GravityGradient { mean_motion: mean_motion * spin },
+                Torque::General(_) => unreachable!("none is drawn"),
             };
             Load { torque, window: Window { start: window.start / spin, end: window.end / spin } }
         });

@@ -22,6 +22,7 @@ fn in_units(problem: &Problem, mass: f64, rate: f64) -> Problem {
             Torque::ForceBody { force, arm } => Torque::ForceBody { force: force * torque, arm },
             Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: force * torque, arm },
             Torque::GravityGradient { mean_motion } => Torque::GravityGradient { mean_motion: mean_motion * rate },
+            Torque::General(_) => unreachable!("none is drawn"),
         };
         Load { torque: scaled, window: Window { start: load.window.start / rate, end: load.window.end / rate } }
     });

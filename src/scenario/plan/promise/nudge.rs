@@ -25,6 +25,8 @@ pub fn nudged(problem: &Problem, mut pattern: u64) -> Problem {
             Torque::MomentumBrake { rate } => *rate = nudge(*rate),
             Torque::LinearDamping { coefficient } => *coefficient = nudge(*coefficient),
             Torque::GravityGradient { mean_motion } => *mean_motion = nudge(*mean_motion),
+            // Its numbers stand as they are; the start is off all the same.
+            Torque::General(_) => {}
         }
     }
     problem

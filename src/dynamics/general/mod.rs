@@ -1,0 +1,15 @@
+//! Loads that are written down once, as operations on a tape, and have no recurrence laid out by hand.
+//!
+//! The same operations give a moment at an instant, its Taylor series, and that series in double-double. The listed loads
+//! can be laid out so too ([`Torque::lay_out`](crate::dynamics::Torque::lay_out)): all that acts on a body is then one tape.
+
+mod formula;
+mod kind;
+mod listed;
+mod load;
+mod symbols;
+
+pub use formula::{FormulaLoad, FormulaPlace};
+pub use kind::General;
+pub use load::GeneralLoad;
+pub use symbols::{Push, Symbols};
