@@ -137,7 +137,10 @@ impl Combined {
     /// Whether the moment depends on the attitude.
     #[must_use]
     pub fn needs_attitude(&self) -> bool {
-        !self.couples.is_empty() || self.gradient.is_some() || self.body_acceleration != Vector3::zeros() || !self.general.is_empty()
+        !self.couples.is_empty()
+            || self.gradient.is_some()
+            || self.body_acceleration != Vector3::zeros()
+            || !self.general.is_empty()
     }
 
     /// The moment at `time` in s, N m; `body_from_world` is the transposed rotation matrix, all in principal axes.

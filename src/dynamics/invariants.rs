@@ -33,6 +33,7 @@ pub fn potential_energy(torque: &Torque, moments: PrincipalMoments, time: f64, s
             let radial = state.attitude.to_body(&radial_direction(mean_motion, time));
             Some(1.5 * mean_motion * mean_motion * moments.vector().dot(&radial.component_mul(&radial)))
         }
+        Torque::General(ref load) => load.kind.potential_energy(state),
         _ => None,
     }
 }

@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::invariants::{momentum_in_world, potential_energy, rotational_energy, translational_energy};
-use super::{Load, Problem, Torque, Window};
+use super::{General, Load, Problem, Torque, Window};
 use crate::body::State;
 
 /// Which energy a motion conserves.
@@ -33,10 +33,9 @@ impl Problem {
             [load @ Load { torque: Torque::GravityGradient { mean_motion }, .. }] if acts_always(load) => {
                 Some(EnergyLaw::Jacobi { mean_motion: *mean_motion })
             }
-            loads => loads
-                .iter()
-                .all(|load| acts_always(load) && matches!(load.torque, Torque::ForceWorld { .. }))
-                .then_some(EnergyLaw::Total),
+            loads => {
+                loads.iter().all(|load| acts_always(load) && has_potential(&load.torque)).then_some(EnergyLaw::Total)
+            }
         }
     }
 
@@ -56,6 +55,7 @@ impl Problem {
                     }
                     law.axis = Some(axis);
                 }
+                Torque::General(ref load) if matches!(load.kind, General::InnerSphere(_)) => {}
                 Torque::ConstantBody { .. }
                 | Torque::ForceBody { .. }
                 | Torque::LinearDamping { .. }
@@ -102,6 +102,15 @@ impl Problem {
             turning,
         ];
         (terms.iter().sum(), terms.iter().map(|term| term.abs()).sum())
+    }
+}
+
+/// Whether energy is conserved under a load that acts always.
+fn has_potential(torque: &Torque) -> bool {
+    match torque {
+        Torque::ForceWorld { .. } => true,
+        Torque::General(load) => load.kind.is_conservative(),
+        _ => false,
     }
 }
 

@@ -18,7 +18,10 @@ mod torque;
 pub use combined::{Combined, Couple, Gradient};
 pub use error::DynamicsError;
 pub use euler::{EulerEquations, attitude_rate};
-pub use general::{FormulaLoad, FormulaPlace, General, GeneralLoad, Push, Symbols};
+pub use general::{
+    BDot, FormulaLoad, FormulaPlace, General, GeneralLoad, InnerSphere, Push, QuaternionFeedback, RateFeedback, Spring,
+    Symbols,
+};
 pub use invariants::{jacobi_integral, momentum_in_world, potential_energy, rotational_energy, translational_energy};
 pub use laws::{EnergyLaw, MomentumLaw};
 pub use problem::Problem;

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::{GeneralLoad, Load, Torque};
+use super::{General, GeneralLoad, InnerSphere, Load, Torque};
 use crate::body::{PrincipalMoments, State};
 
 /// An initial value problem: a body, its state at t = 0, and what acts on it. All in principal axes.
@@ -33,6 +33,15 @@ impl Problem {
     #[must_use]
     pub fn looks_at_translation(&self) -> bool {
         self.general().any(|load| load.kind.looks_at_translation())
+    }
+
+    /// The sphere inside the body, if there is one; the first of several.
+    #[must_use]
+    pub fn inner_sphere(&self) -> Option<InnerSphere> {
+        self.general().find_map(|load| match load.kind {
+            General::InnerSphere(sphere) => Some(sphere),
+            _ => None,
+        })
     }
 
     /// The loads without a recurrence of their own.

@@ -36,6 +36,9 @@ pub(super) struct Push {
 impl Equations {
     pub fn new(problem: &Problem, model: Option<Box<dyn TorqueModel + Send>>) -> Result<Self, DynamicsError> {
         let schedule = Schedule::new(problem)?;
+        if problem.inner_sphere().is_some() {
+            return Err(DynamicsError::InnerSphere);
+        }
         Ok(Self {
             euler: EulerEquations::new(problem.moments),
             with_attitude: problem.wants_attitude || schedule.needs_attitude() || model.is_some(),

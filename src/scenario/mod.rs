@@ -29,7 +29,9 @@ pub(crate) use plan::{MOST_BODIES, nudged};
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
-    BodySpec, BoxSpec, BrakeSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec, ForceSpec, ForceSpecs,
-    Frame, GravityGradientSpec, MeshSpec, Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance,
-    RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, TorqueSpecs, TorusSpec, ValueSpec,
+    BDotSpec, BodySpec, BoxSpec, BrakeSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec,
+    ForceFormulaSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec, InnerSphereSpec, MeshSpec, Method, MomentSpec,
+    ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance, QuadraticDampingSpec, QuadraticDragSpec,
+    QuaternionFeedbackSpec, RateFeedbackSpec, RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, SpringSpec,
+    TorqueFormulaSpec, TorqueSpecs, TorusSpec, ValueSpec,
 };

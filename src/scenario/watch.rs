@@ -73,7 +73,7 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
 
 /// Whether position and velocity are propagated, for the sake of these channels or of the loads.
 pub fn wants_translation(problem: &Problem, moves: bool, channels: &[Channel]) -> bool {
-    moves && problem.looks_at_translation() || moves && channels.iter().any(|channel| needs_translation(*channel))
+    moves && (problem.looks_at_translation() || channels.iter().any(|channel| needs_translation(*channel)))
 }
 
 const fn needs_translation(channel: Channel) -> bool {

@@ -2,7 +2,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::{BodySamples, Channel, FigureAxis};
 use crate::body::{AngularVelocity, Attitude, State};
-use crate::dynamics::{MomentumLaw, Problem, momentum_in_world, translational_energy};
+use crate::dynamics::{InnerSphere, MomentumLaw, Problem, momentum_in_world, translational_energy};
 use crate::propagation::States;
 
 /// Makes channels of states: turns principal axes back into body axes, and knows the laws whose drift is watched.
@@ -16,6 +16,7 @@ pub struct Derivation {
     initial_energy: f64,
     initial_energy_scale: f64,
     initial_momentum: Vector3<f64>,
+    sphere: Option<InnerSphere>,
 }
 
 impl Derivation {
@@ -29,7 +30,8 @@ impl Derivation {
             figure: FigureAxis::of(problem),
             initial_energy,
             initial_energy_scale,
-            initial_momentum: momentum_in_world(problem.moments, &problem.initial),
+            initial_momentum: initial_momentum(problem),
+            sphere: problem.inner_sphere(),
             problem: problem.clone(),
         }
     }
@@ -42,6 +44,9 @@ impl Derivation {
             // Out of the samples meanwhile: some channels are made of others, or along with them.
             let mut columns: Vec<_> = columns.iter_mut().map(std::mem::take).collect();
             self.fill(channel, &batch, samples, &mut columns);
+            if let Some(sphere) = self.sphere {
+                self.add_sphere(sphere, channel, &batch, &mut columns);
+            }
             for (place, column) in samples.channel_mut(channel).into_iter().flatten().zip(columns) {
                 *place = column;
             }
@@ -105,6 +110,25 @@ impl Derivation {
         }
     }
 
+    /// Adds what a sphere inside the body has of momentum and energy beyond turning with it.
+    fn add_sphere(&self, sphere: InnerSphere, channel: Channel, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
+        for index in 0..batch.times.len() {
+            let (state, inner) = (batch.state(index), batch.inner(index));
+            let momentum = sphere.momentum(&inner);
+            let added = match channel {
+                Channel::AngularMomentumWorld => state.attitude.to_world(&momentum),
+                Channel::AngularMomentumBody => self.body_from_principal.map_or(momentum, |turn| turn * momentum),
+                Channel::RotationalEnergy | Channel::TotalEnergy => {
+                    Vector3::repeat(sphere.energy(&state.angular_velocity.in_body(), &inner))
+                }
+                _ => return,
+            };
+            for (column, added) in columns.iter_mut().zip(&added) {
+                column[index] += added;
+            }
+        }
+    }
+
     fn attitude(&self, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
         let Some(body_from_principal) = self.body_from_principal else {
             return copy(&batch.states.attitude, columns);
@@ -159,7 +183,12 @@ impl Derivation {
                 let momentum = |index: usize| Vector3::new(x[index], y[index], z[index]);
                 batch.scalars(columns, |index, time, _| drift(time, &momentum(index)));
             }
-            _ => batch.scalars(columns, |_, time, state| drift(time, &momentum_in_world(self.problem.moments, state))),
+            _ => batch.scalars(columns, |index, time, state| {
+                let momentum = momentum_in_world(self.problem.moments, state);
+                let whole =
+                    self.sphere.map(|sphere| momentum + state.attitude.to_world(&sphere.momentum(&batch.inner(index))));
+                drift(time, &whole.unwrap_or(momentum))
+            }),
         }
     }
 
@@ -175,6 +204,13 @@ impl Derivation {
             parts_per_1e15(omega.cross(&touching).norm(), omega.norm() * touching.norm())
         });
     }
+}
+
+/// R (I ω + J σ) at t = 0.
+fn initial_momentum(problem: &Problem) -> Vector3<f64> {
+    let momentum = momentum_in_world(problem.moments, &problem.initial);
+    let of_sphere = |sphere: InnerSphere| problem.initial.attitude.to_world(&sphere.momentum(&sphere.initial));
+    problem.inner_sphere().map_or(momentum, |sphere| momentum + of_sphere(sphere))
 }
 
 /// The states of a batch, one at a time. What was not propagated stays as it was at t = 0: it is constant, or no channel
@@ -197,6 +233,11 @@ impl Batch<'_> {
             position: vector(&self.states.position, &self.initial.position),
             velocity: vector(&self.states.velocity, &self.initial.velocity),
         }
+    }
+
+    /// σ of a sphere inside the body, in principal axes.
+    fn inner(&self, index: usize) -> Vector3<f64> {
+        Vector3::from_fn(|row, _| self.states.inner[row].get(index).copied().unwrap_or_default())
     }
 
     /// World from principal; the identity where no attitude was propagated, as then no channel looks at it.

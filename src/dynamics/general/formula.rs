@@ -1,8 +1,9 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::axes::{rotated, times_inverse};
 use super::{Push, Symbols};
 use crate::dynamics::formula::{Expression, Known, Variable};
-use crate::numerics::{Node, Tape};
+use crate::numerics::Tape;
 
 /// A moment or a force whose components are formulae.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,8 +67,7 @@ impl FormulaLoad {
     }
 
     pub(super) fn looks_at_translation(&self) -> bool {
-        let is_translation =
-            |variable: Variable| matches!(variable, Variable::Position(_) | Variable::Velocity(_));
+        let is_translation = |variable: Variable| matches!(variable, Variable::Position(_) | Variable::Velocity(_));
         self.components.iter().any(|component| component.names(&is_translation))
     }
 
@@ -81,30 +81,4 @@ impl FormulaLoad {
             FormulaPlace::Force { .. } => "force by formula",
         }
     }
-}
-
-/// A vector in other axes.
-fn rotated(tape: &mut Tape, turn: UnitQuaternion<f64>, vector: [Node; 3]) -> [Node; 3] {
-    if turn == UnitQuaternion::identity() {
-        return vector;
-    }
-    let matrix = turn.to_rotation_matrix().into_inner();
-    [0, 1, 2].map(|row| {
-        let row = tape.vector([matrix[(row, 0)], matrix[(row, 1)], matrix[(row, 2)]]);
-        tape.dot(row, vector)
-    })
-}
-
-/// q times the inverse of a constant rotation.
-fn times_inverse(tape: &mut Tape, [w, x, y, z]: [Node; 4], turn: UnitQuaternion<f64>) -> [Node; 4] {
-    if turn == UnitQuaternion::identity() {
-        return [w, x, y, z];
-    }
-    let turn = turn.inverse();
-    let (scalar, vector) = (tape.constant(turn.w), tape.vector([turn.i, turn.j, turn.k]));
-    let (first, along) = (tape.product(w, scalar), tape.dot([x, y, z], vector));
-    let (parts, others) = (tape.scaled(scalar, [x, y, z]), tape.scaled(w, vector));
-    let (sum, across) = (tape.sums(parts, others), tape.cross([x, y, z], vector));
-    let [i, j, k] = tape.sums(sum, across);
-    [tape.difference(first, along), i, j, k]
 }

@@ -18,7 +18,11 @@ impl GeneralLoad {
     pub fn new(kind: General) -> Self {
         let mut tape = Tape::new(Symbols::INPUTS);
         let symbols = Symbols::on(&mut tape);
-        let Push { moment, force } = kind.lay_out(&mut tape, &symbols);
+        // What a sphere inside does to the body it does to itself: nothing from outside.
+        let Push { moment, force } = match kind {
+            General::InnerSphere(_) => Push::none(&mut tape),
+            _ => kind.lay_out(&mut tape, &symbols),
+        };
         for node in moment.into_iter().chain(force) {
             tape.want(node);
         }

@@ -16,6 +16,8 @@ pub struct Symbols {
     pub position: [Node; 3],
     /// World axes, m/s.
     pub velocity: [Node; 3],
+    /// σ, of a sphere inside the body relative to it, in body, rad/s; not used without one.
+    pub inner: [Node; 3],
     /// The rotation matrix, world from body, by rows: the body images of the world's axes.
     pub matrix: [[Node; 3]; 3],
 }
@@ -31,7 +33,7 @@ pub struct Push {
 
 impl Symbols {
     /// How many inputs: time, then the components in the order of the fields.
-    pub const INPUTS: usize = 14;
+    pub const INPUTS: usize = 17;
 
     /// On the first inputs of a tape.
     #[must_use]
@@ -44,17 +46,18 @@ impl Symbols {
             rates: vector(tape, 5),
             position: vector(tape, 8),
             velocity: vector(tape, 11),
+            inner: vector(tape, 14),
             matrix: matrix(tape, attitude),
         }
     }
 
-    /// The inputs' values at `time`, s, and `state`.
+    /// The inputs' values at `time`, s, and `state`, of a body without a sphere in it.
     #[must_use]
     pub fn values(time: f64, state: &State) -> [f64; Self::INPUTS] {
         let [qw, qx, qy, qz] = state.attitude.wxyz();
         let [wx, wy, wz]: [f64; 3] = state.angular_velocity.in_body().into();
         let ([x, y, z], [vx, vy, vz]): ([f64; 3], [f64; 3]) = (state.position.into(), state.velocity.into());
-        [time, qw, qx, qy, qz, wx, wy, wz, x, y, z, vx, vy, vz]
+        [time, qw, qx, qy, qz, wx, wy, wz, x, y, z, vx, vy, vz, 0.0, 0.0, 0.0]
     }
 
     /// Rᵀ w.

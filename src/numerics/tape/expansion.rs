@@ -7,6 +7,8 @@ use super::{Node, Operation, Scalar, Tape};
 pub struct Expansion<F> {
     rows: Rows<F>,
     order: usize,
+    /// What has to be worked out: all that the results wanted are made of, but for inputs and constants.
+    live: Vec<Node>,
     /// Of operations with branches: the node, and whether it is on the branch where its guard is not negative.
     branches: Vec<(Node, bool)>,
 }
@@ -18,12 +20,12 @@ impl<F: Scalar> Expansion<F> {
     /// Room for coefficients up to `order`; all inputs are zero.
     #[must_use]
     pub fn new(tape: &Tape, order: usize) -> Self {
-        let operations = tape.operations().iter().enumerate();
-        let mut expansion = Self {
-            rows: Rows::new(tape.len(), order),
-            order,
-            branches: operations.filter(|(_, op)| op.has_branches()).map(|(place, _)| (Node(place), true)).collect(),
-        };
+        let needed = tape.needed();
+        let live = (0..tape.len()).map(Node).filter(|node| needed[node.0] && !tape.is_constant(*node));
+        let mut expansion =
+            Self { live: live.collect(), rows: Rows::new(tape.len(), order), order, branches: Vec::new() };
+        let branching = (0..tape.len()).map(Node).filter(|node| tape.operations()[node.0].has_branches());
+        expansion.branches = branching.filter(|node| needed[node.0]).map(|node| (node, true)).collect();
         for node in (0..tape.len()).map(Node).filter(|node| tape.is_constant(*node)) {
             expansion.choose(tape, node);
             expansion.work_out(tape, node, 0);
@@ -73,7 +75,8 @@ impl<F: Scalar> Expansion<F> {
 
     /// Coefficient k of every result.
     fn order_of(&mut self, tape: &Tape, k: usize, chooses: bool) {
-        for node in (0..tape.len()).map(Node).filter(|node| !tape.is_constant(*node)) {
+        for place in 0..self.live.len() {
+            let node = self.live[place];
             if k == 0 && chooses {
                 self.choose(tape, node);
             }
@@ -109,7 +112,13 @@ impl<F: Scalar> Expansion<F> {
             Operation::Sine(a) => rows.sine(node, a, k),
             Operation::Cosine(a) => rows.cosine(node, a, k),
             Operation::Arctangent(a, slope) => rows.arctangent(node, a, slope, k),
-            Operation::Magnitude(a) => if self.is_above(node) { at(a) } else { -at(a) },
+            Operation::Magnitude(a) => {
+                if self.is_above(node) {
+                    at(a)
+                } else {
+                    -at(a)
+                }
+            }
             Operation::Larger(a, b) => at(if self.is_above(node) { a } else { b }),
             Operation::Smaller(a, b) => at(if self.is_above(node) { b } else { a }),
         };
@@ -146,6 +155,18 @@ impl<F: Scalar> Expansion<F> {
         (0..=order).map(|k| self.guard(operation, k).rounded()).collect()
     }
 
+    /// The largest σ at which the last two coefficients of no guard add more than `tolerance` of its size: as far as the
+    /// series say where branches change, whether the results depend on the guards now or not.
+    #[must_use]
+    pub fn reach_of_guards(&self, tape: &Tape, order: usize, tolerance: f64) -> f64 {
+        self.branches.iter().fold(f64::INFINITY, |reach, (node, _)| {
+            let guard = self.guard_series(tape.operations()[node.0], order);
+            let size = guard.iter().fold(0.0, |size: f64, coefficient| coefficient.abs().max(size));
+            let last = (order.max(1) - 1..=order).filter(|k| guard[*k] != 0.0);
+            last.map(|k| libm::pow(tolerance * size / guard[k].abs(), 1.0 / exact(k.max(1)))).fold(reach, f64::min)
+        })
+    }
+
     /// The first σ up to `end` at which a result leaves its branch, by the series up to `order`.
     ///
     /// Bounds on the guards between the places looked at leave no crossing out, however short, above 1e-13 of a guard's size.
@@ -155,7 +176,9 @@ impl<F: Scalar> Expansion<F> {
         for (node, above) in &self.branches {
             let mut guard = self.guard_series(tape.operations()[node.0], order);
             if !above {
-                guard.iter_mut().for_each(|coefficient| *coefficient = -*coefficient);
+                for coefficient in &mut guard {
+                    *coefficient = -*coefficient;
+                }
             }
             first = first_below(&guard, first.unwrap_or(end)).or(first);
         }
@@ -166,13 +189,17 @@ impl<F: Scalar> Expansion<F> {
     /// none does. A series of order n follows such a function no farther, and where it vanishes it does not say so.
     #[must_use]
     pub fn reach_of_arguments(&self, tape: &Tape, order: usize, change: f64) -> f64 {
-        let arguments = tape.operations().iter().filter_map(|operation| operation.argument());
+        let arguments = self.live.iter().filter_map(|node| tape.operations()[node.0].argument());
         arguments.filter(|node| !tape.is_constant(*node)).fold(f64::INFINITY, |reach, node| {
             let row = &self.rows.of(node)[1..=order];
             let each = row.iter().enumerate().map(|(below, coefficient)| {
                 let (size, k) = (coefficient.rounded().abs(), below + 1);
                 // Each term may take its part, halved from one to the next.
-                if size > 0.0 { libm::pow(libm::ldexp(change, -i32::try_from(k).unwrap_or(0)) / size, 1.0 / exact(k)) } else { f64::INFINITY }
+                if size > 0.0 {
+                    libm::pow(libm::ldexp(change, -i32::try_from(k).unwrap_or(0)) / size, 1.0 / exact(k))
+                } else {
+                    f64::INFINITY
+                }
             });
             each.fold(reach, f64::min)
         })

@@ -3,11 +3,11 @@
 use super::recurrence::exact;
 
 /// What counts as zero, of a polynomial's largest coefficient: noise of f64, with some room.
-const NOISE: f64 = 1.0 / (1_u64 << 43) as f64;
+const NOISE: f64 = 1.0 / 8_796_093_022_208.0; // 2⁻⁴³
 /// No crossing is looked for before this part of the way, so that what has just crossed goes on.
-const SHORTEST: f64 = 1.0 / (1_u64 << 32) as f64;
+const SHORTEST: f64 = 1.0 / 4_294_967_296.0; // 2⁻³²
 /// How finely crossings are told apart, as a part of the way.
-const FINEST: f64 = 1.0 / (1_u64 << 50) as f64;
+const FINEST: f64 = 1.0 / 1_125_899_906_842_624.0; // 2⁻⁵⁰
 /// Places looked at, at most: a polynomial that hugs zero is let go.
 const MOST_LOOKS: usize = 4096;
 
@@ -50,9 +50,10 @@ fn size(polynomial: &[f64]) -> f64 {
 
 /// The value and the slope at σ.
 fn value_and_slope(polynomial: &[f64], sigma: f64) -> [f64; 2] {
-    polynomial.iter().rev().fold([0.0; 2], |[value, slope], coefficient| {
-        [value * sigma + coefficient, slope * sigma + value]
-    })
+    polynomial
+        .iter()
+        .rev()
+        .fold([0.0; 2], |[value, slope], coefficient| [value * sigma + coefficient, slope * sigma + value])
 }
 
 /// A bound on the size of the second derivative from 0 to σ.

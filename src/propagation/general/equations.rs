@@ -13,6 +13,8 @@ pub(super) fn equations(problem: &Problem, time: f64) -> Tape {
     let attitude = attitude_rate(&mut tape, &symbols);
     let rates = acceleration(&mut tape, problem, &symbols, push.moment);
     let zero = tape.constant(0.0);
+    let sphere = problem.inner_sphere();
+    let inner = sphere.map_or([zero; 3], |sphere| sphere.relative_acceleration(&mut tape, &symbols, rates));
     let (mut position, mut velocity) = ([zero; 3], [zero; 3]);
     if problem.wants_translation {
         let mass = tape.constant(problem.mass.unwrap_or(1.0));
@@ -20,15 +22,19 @@ pub(super) fn equations(problem: &Problem, time: f64) -> Tape {
         let pushed = push.force.map(|force| if force == zero { zero } else { tape.quotient(force, mass) });
         (position, velocity) = (symbols.velocity, tape.sums(pushed, gravity));
     }
-    for node in attitude.into_iter().chain(rates).chain(position).chain(velocity) {
+    for node in attitude.into_iter().chain(rates).chain(position).chain(velocity).chain(inner) {
         tape.want(node);
     }
     tape
 }
 
-/// Euler's equations, with differences of moments: ω̇₁ = (I₂ − I₃)/I₁ · ω₂ω₃ + τ₁/I₁ and cyclic.
+/// Euler's equations of the body without a sphere inside it, with differences of moments: ω̇₁ = (I₂ − I₃)/I₁ · ω₂ω₃ + τ₁/I₁ and cyclic.
 fn acceleration(tape: &mut Tape, problem: &Problem, symbols: &Symbols, moment: [Node; 3]) -> [Node; 3] {
-    let inertia = tape.vector(problem.moments.vector());
+    let mut inertia = tape.vector(problem.moments.vector());
+    if let Some(sphere) = problem.inner_sphere() {
+        let within = tape.constant(sphere.inertia);
+        inertia = tape.differences(inertia, [within; 3]);
+    }
     let rates = symbols.rates;
     [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(i, j, k)| {
         let (difference, product) = (tape.difference(inertia[j], inertia[k]), tape.product(rates[j], rates[k]));

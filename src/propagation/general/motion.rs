@@ -1,16 +1,16 @@
 use std::ops::Range;
 
-use crate::body::State;
-use crate::dynamics::Symbols;
+use crate::dynamics::{Problem, Symbols};
 use crate::numerics::{DoubleDouble, Expansion, Scalar, Tape};
 
-/// q, ω, x and v one after the other, as the inputs of [`Symbols`] after time.
+/// q, ω, x, v and σ one after the other, as the inputs of [`Symbols`] after time.
 pub(in crate::propagation) const COMPONENTS: usize = Symbols::INPUTS - 1;
 /// Where each stands.
 const ATTITUDE: Range<usize> = 0..4;
 const RATES: Range<usize> = 4..7;
 const POSITION: Range<usize> = 7..10;
 const VELOCITY: Range<usize> = 10..13;
+const INNER: Range<usize> = 13..16;
 
 /// Sizes below this count as this: what has all but come to rest must not be followed to the last denormal digit.
 const SMALLEST_SIZE: f64 = 1e-240;
@@ -20,10 +20,15 @@ const SMALLEST_SIZE: f64 = 1e-240;
 pub(in crate::propagation) struct Motion(pub [DoubleDouble; COMPONENTS]);
 
 impl Motion {
-    /// A state's numbers taken as exact, but for the quaternion's length, which becomes 1.
-    pub fn new(state: &State) -> Self {
-        let values = Symbols::values(0.0, state);
+    /// The first state's numbers taken as exact, but for the quaternion's length, which becomes 1.
+    pub fn new(problem: &Problem) -> Self {
+        let values = Symbols::values(0.0, &problem.initial);
         let mut motion = Self(std::array::from_fn(|component| DoubleDouble::from(values[component + 1])));
+        if let Some(sphere) = problem.inner_sphere() {
+            for (component, rate) in motion.0[INNER].iter_mut().zip(&sphere.initial) {
+                *component = DoubleDouble::from(*rate);
+            }
+        }
         motion.normalise();
         motion
     }
@@ -56,6 +61,10 @@ impl Motion {
 
     pub fn velocity(&self) -> [DoubleDouble; 3] {
         [0, 1, 2].map(|i| self.0[VELOCITY.start + i])
+    }
+
+    pub fn inner(&self) -> [DoubleDouble; 3] {
+        [0, 1, 2].map(|i| self.0[INNER.start + i])
     }
 }
 
@@ -129,7 +138,11 @@ impl<F: Scalar> Series<F> {
             let last = self.largest(components, k);
             if size > 0.0 { last / size.max(SMALLEST_SIZE) } else { 0.0 }
         };
-        self.largest(ATTITUDE, k).max(relative(RATES)).max(relative(POSITION))
+        self.largest(ATTITUDE, k)
+            .max(relative(RATES))
+            .max(relative(POSITION))
+            .max(relative(VELOCITY))
+            .max(relative(INNER))
     }
 
     /// Whether every coefficient is a number.

@@ -10,6 +10,7 @@ pub(in crate::propagation) struct GeneralTaylor {
     stepper: Stepper<f64>,
     wants_attitude: bool,
     wants_translation: bool,
+    has_sphere: bool,
     latest: f64,
 }
 
@@ -20,6 +21,7 @@ impl GeneralTaylor {
             stepper: Stepper::new(problem, order, tolerance)?,
             wants_attitude: problem.wants_attitude,
             wants_translation: problem.wants_translation,
+            has_sphere: problem.inner_sphere().is_some(),
             latest: 0.0,
         })
     }
@@ -44,6 +46,9 @@ impl Propagator for GeneralTaylor {
     fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
         check_times(times, self.latest)?;
         states.reset(times.len(), self.wants_attitude, self.wants_translation);
+        for column in &mut states.inner {
+            column.resize(if self.has_sphere { times.len() } else { 0 }, 0.0);
+        }
         for (row, &time) in times.iter().enumerate() {
             let wanted = DoubleDouble::from(time);
             while self.stepper.end() < wanted {
@@ -57,6 +62,9 @@ impl Propagator for GeneralTaylor {
             if self.wants_translation {
                 put(&mut states.position, row, motion.position());
                 put(&mut states.velocity, row, motion.velocity());
+            }
+            if self.has_sphere {
+                put(&mut states.inner, row, motion.inner());
             }
             self.latest = time;
         }

@@ -31,9 +31,8 @@ impl<F: Scalar> Stepper<F> {
     /// At t = 0, of problems whose loads make equations of motion.
     pub fn new(problem: &Problem, order: usize, tolerance: f64) -> Result<Self, DynamicsError> {
         let schedule = Schedule::new(problem)?;
-        let spans: Vec<_> =
-            schedule.spans().iter().map(|span| (equations(problem, span.start), span.end)).collect();
-        let (motion, start) = (Motion::new(&problem.initial), DoubleDouble::ZERO);
+        let spans: Vec<_> = schedule.spans().iter().map(|span| (equations(problem, span.start), span.end)).collect();
+        let (motion, start) = (Motion::new(problem), DoubleDouble::ZERO);
         Ok(Self {
             series: Series::new(&spans[0].0, 0, &motion, start, 1.0),
             spans,
@@ -110,13 +109,11 @@ impl<F: Scalar> Stepper<F> {
         let (tape, time) = (&self.spans[self.current].0, self.end);
         let not_finite = PropagationError::NotFinite { time: time.hi() };
         let known = self.unit.is_some();
-        let mut unit = match self.unit {
-            Some(unit) => unit,
-            None => {
-                let first = Series::<F>::new(tape, 1, &self.motion, time, 1.0);
-                power_of_two((1.0 / first.pace()).min(LONGEST_STEP))
-            }
+        let first_unit = || {
+            let first = Series::<F>::new(tape, 1, &self.motion, time, 1.0);
+            power_of_two((1.0 / first.pace()).min(LONGEST_STEP))
         };
+        let mut unit = self.unit.unwrap_or_else(first_unit);
         if self.series.order != self.order || !known {
             self.series = Series::new(tape, self.order, &self.motion, time, unit);
         } else {

@@ -45,9 +45,9 @@ fn name(key: &Key, spec: &BodySpec, count: usize) -> Result<String, Refusal> {
 
 fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: String) -> Result<PlannedBody, Refusal> {
     let (properties, surfaces) = mass::plan(key, spec, &scenario.folder)?;
-    let acting = loads::plan(key, spec, &properties)?;
     let is_pivoted = spec.pivot.is_some();
     let initial = initial(key, spec, &properties)?;
+    let acting = loads::plan(key, spec, &properties, &initial)?;
     extent(key, spec, &properties, &initial)?;
     let moves = acting.moves || initial.velocity.norm() > 0.0;
     let mut problem = Problem {

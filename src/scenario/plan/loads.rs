@@ -2,7 +2,7 @@ use nalgebra::Vector3;
 
 use super::general_loads;
 use super::rules::{not_negative, optional_vector, positive, vector};
-use crate::body::MassProperties;
+use crate::body::{MassProperties, State};
 use crate::dynamics::{Load, Torque, Window};
 use crate::scenario::{BodySpec, ForceSpec, Key, Refusal};
 
@@ -17,7 +17,7 @@ pub struct Acting {
 }
 
 /// The loads of the body at `key`, turned into principal axes.
-pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<Acting, Refusal> {
+pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties, initial: &State) -> Result<Acting, Refusal> {
     let to_principal = |in_body: Vector3<f64>| properties.body_from_principal.inverse_transform_vector(&in_body);
     let mut loads = Vec::new();
     let torques = key.field("torque");
@@ -62,7 +62,7 @@ pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<A
         let (force, arm, window) = force(&key, spec, properties)?;
         loads.push(Load { torque: Torque::ForceWorld { force, arm }, window });
     }
-    loads.extend(general_loads::plan(key, spec, properties)?);
+    loads.extend(general_loads::plan(key, spec, properties, initial)?);
     let gravity_key = key.field("gravity_m_s2");
     let gravity = optional_vector(&gravity_key, spec.gravity_m_s2)?;
     let has_forces = !spec.force.constant_body.is_empty()

@@ -1,7 +1,10 @@
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
-use super::{ForceFormulaSpec, TorqueFormulaSpec};
+use super::{
+    BDotSpec, ForceFormulaSpec, InnerSphereSpec, QuadraticDampingSpec, QuadraticDragSpec, QuaternionFeedbackSpec,
+    RateFeedbackSpec, SpringSpec, TorqueFormulaSpec,
+};
 
 macro_rules! windowed {
     ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $kind:ty),+ $(,)? }) => {
@@ -38,6 +41,16 @@ pub struct TorqueSpecs {
     pub gravity_gradient: Vec<GravityGradientSpec>,
     /// By formulae of time and motion.
     pub formula: Vec<TorqueFormulaSpec>,
+    /// τ = −c |ω| ω.
+    pub quadratic_damping: Vec<QuadraticDampingSpec>,
+    /// By a sphere inside the body; at most one.
+    pub inner_sphere: Vec<InnerSphereSpec>,
+    /// Towards a target attitude.
+    pub quaternion_feedback: Vec<QuaternionFeedbackSpec>,
+    /// Against ω.
+    pub rate_feedback: Vec<RateFeedbackSpec>,
+    /// Against the change of a magnetic field.
+    pub b_dot: Vec<BDotSpec>,
 }
 
 windowed! {
@@ -88,4 +101,8 @@ pub struct ForceSpecs {
     pub constant_world: Vec<ForceSpec>,
     /// By formulae of time and motion.
     pub formula: Vec<ForceFormulaSpec>,
+    /// From a point of the world.
+    pub spring: Vec<SpringSpec>,
+    /// F = −c |u| u.
+    pub quadratic_drag: Vec<QuadraticDragSpec>,
 }

@@ -9,7 +9,10 @@ mod solids;
 
 pub use body::{BodySpec, MeshSpec, ParticleSpec, PivotSpec};
 pub use checks::{Checks, DriftSpec, FlipPeriodSpec, Frame, PrecessionRateSpec, ValueSpec};
-pub use general_loads::{ForceFormulaSpec, TorqueFormulaSpec};
+pub use general_loads::{
+    BDotSpec, ForceFormulaSpec, InnerSphereSpec, QuadraticDampingSpec, QuadraticDragSpec, QuaternionFeedbackSpec,
+    RateFeedbackSpec, SpringSpec, TorqueFormulaSpec,
+};
 pub use loads::{BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

@@ -58,7 +58,11 @@ fn within(
     input.state.depth += 1;
     if input.state.depth > Expression::DEEPEST {
         let here = input.input.current_token_start();
-        return refuse(input, here, format!("more than {} brackets, signs and powers within each other", Expression::DEEPEST));
+        return refuse(
+            input,
+            here,
+            format!("more than {} brackets, signs and powers within each other", Expression::DEEPEST),
+        );
     }
     let found = parser(input)?;
     input.state.depth -= 1;

@@ -65,6 +65,26 @@ impl Tape {
         self.constant[node.0]
     }
 
+    /// Of each result, whether those wanted are made of it.
+    pub(super) fn needed(&self) -> Vec<bool> {
+        let mut needed = vec![false; self.len()];
+        for node in &self.wanted {
+            needed[node.0] = true;
+        }
+        for (place, operation) in self.operations.iter().enumerate().rev() {
+            match operation {
+                // They need each other; the cosine comes after its sine.
+                Operation::Cosine(_) if needed[place] => needed[place - 1] = true,
+                Operation::Sine(_) if needed[place] => needed[place + 1] = true,
+                _ => {}
+            }
+            if needed[place] {
+                operation.operands().into_iter().flatten().for_each(|node| needed[node.0] = true);
+            }
+        }
+        needed
+    }
+
     /// Adds an operation, or finds it where it stands already.
     fn push(&mut self, operation: Operation) -> Node {
         // Tapes are short: to look for it costs less than a table of hashes.
