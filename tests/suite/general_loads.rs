@@ -47,7 +47,7 @@ fn the_tape_moves_bodies_as_the_recurrences_do() {
     let times = grid(10.0, 20);
     for (name, torque) in every_torque() {
         for wants_translation in [false, true] {
-            let by_hand = Problem { wants_translation, ..problem(MOMENTS, RATES, &[torque.clone()]) };
+            let by_hand = Problem { wants_translation, ..problem(MOMENTS, RATES, std::slice::from_ref(&torque)) };
             let by_tape = Problem { wants_translation, ..problem(MOMENTS, RATES, &[torque.clone(), nothing()]) };
             let [hand, tape] =
                 [&by_hand, &by_tape].map(|problem| run(Taylor::new(problem, TIGHTEST).expect("covered"), &times));

@@ -23,9 +23,10 @@ fn value<F: Scalar>(coefficients: &[F], sigma: f64) -> F {
 }
 
 type Build = fn(&mut Tape, Node) -> Node;
+type Real = fn(f64) -> f64;
 
 /// Functions and their tapes, smooth near 0.7.
-fn functions() -> Vec<(&'static str, fn(f64) -> f64, Build)> {
+fn functions() -> Vec<(&'static str, Real, Build)> {
     vec![
         ("sin", libm::sin, |tape, t| tape.sine_cosine(t).0),
         ("cos", libm::cos, |tape, t| tape.sine_cosine(t).1),

@@ -109,7 +109,7 @@ fn axial_torque_makes_a_chirp() {
 #[test]
 fn heavy_top_keeps_energy_and_two_momenta() {
     let weight = Torque::ForceWorld { force: Vector3::new(0.0, 0.0, -4.905), arm: Vector3::new(0.0, 0.0, 0.04) };
-    let problem = problem([0.002, 0.002, 0.0012], [0.0, -2.0, 60.0], &[weight.clone()]);
+    let problem = problem([0.002, 0.002, 0.0012], [0.0, -2.0, 60.0], std::slice::from_ref(&weight));
     let times = grid(5.0, 50);
     let states = run(taylor(&problem), &times);
     let laws = |time: f64, state: &State| {
@@ -148,7 +148,7 @@ fn gravity_gradient_keeps_the_jacobi_integral() {
 fn force_in_the_world_keeps_energy_and_makes_a_parabola() {
     let force = Vector3::new(0.5, 0.2, -0.4);
     let torque = Torque::ForceWorld { force, arm: Vector3::new(0.3, -0.1, 0.2) };
-    let mut problem = problem(MOMENTS, RATES, &[torque.clone()]);
+    let mut problem = problem(MOMENTS, RATES, std::slice::from_ref(&torque));
     problem.wants_translation = true;
     let times = grid(20.0, 20);
     let states = run(taylor(&problem), &times);
@@ -190,7 +190,7 @@ fn thruster_pushes_along_the_body() {
 fn recurrences_agree_with_the_formulae() {
     const SHORT: f64 = 1e-7;
     for (name, torque) in every_torque() {
-        let problem = problem(MOMENTS, RATES, &[torque.clone()]);
+        let problem = problem(MOMENTS, RATES, std::slice::from_ref(&torque));
         let states = run(taylor(&problem), &[SHORT]);
         let omega = Vector3::from(RATES);
         let inertia = problem.moments.vector();

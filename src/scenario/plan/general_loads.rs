@@ -113,7 +113,8 @@ impl Body<'_> {
     fn expressions(&self, key: &Key, texts: &[String; 3]) -> Result<[Expression; 3], Refusal> {
         let read = |index: usize| {
             let (key, text) = (key.index(index), &texts[index]);
-            let expression = Expression::read(text).map_err(|error| key.refuse(format_args!("{text:?} {error}")))?;
+            let expression =
+                Expression::read(text).map_err(|error| key.refuse(format_args!("{:?} {error}", shortened(text))))?;
             let is_translation = |variable: Variable| matches!(variable, Variable::Position(_) | Variable::Velocity(_));
             if self.is_held && expression.names(&is_translation) {
                 let rule = "contradicts the pivot: the position and the velocity of a body that is held do not change";
@@ -186,6 +187,13 @@ impl Body<'_> {
             body_from_principal,
         })
     }
+}
+
+/// The beginning of a long text.
+fn shortened(text: &str) -> String {
+    const SHOWN: usize = 60;
+    let rest = if text.chars().count() > SHOWN { "…" } else { "" };
+    text.chars().take(SHOWN).chain(rest.chars()).collect()
 }
 
 /// A largest value; left out: infinity.

@@ -86,7 +86,8 @@ pub fn formula(_: &Scratch, bytes: &[u8]) {
             let mut expansion = Expansion::<f64>::new(&tape, 3);
             expansion.set(0, 1, 1.0);
             expansion.expand(&tape, 3);
-            expansion.first_switch(&tape, 3, 1.0);
+            let switch = expansion.first_switch(&tape, 3, 1.0);
+            assert!(switch.is_none_or(|sigma| sigma > 0.0 && sigma <= 1.0), "{switch:?}");
         }
         Err(error) => assert!((1..=text.chars().count() + 1).contains(&error.column), "{error}"),
     }
