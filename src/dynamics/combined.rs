@@ -30,9 +30,9 @@ pub struct Combined {
 /// A moment A Rᵀ w, linear in the body image of a vector constant in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Couple {
-    /// w: a moment in N m, a force in N, or a world axis; world axes.
+    /// w: a moment in N m, a force in N, a field in T, or a world axis; world axes.
     pub vector: Vector3<f64>,
-    /// A: the identity for a moment, arm × for a force; N m per unit of w, principal axes.
+    /// A: the identity for a moment, arm × for a force, dipole × for a field; N m per unit of w, principal axes.
     pub matrix: Matrix3<f64>,
 }
 
@@ -102,6 +102,7 @@ impl Combined {
                 self.add_couple(force, arm.cross_matrix());
                 self.world_acceleration += acceleration(force, problem)?;
             }
+            Torque::MagneticDipole { dipole, field } => self.add_couple(field, dipole.cross_matrix()),
             Torque::GravityGradient { mean_motion } => self.add_gradient(mean_motion)?,
             Torque::General(ref load) => {
                 if load.kind.pushes() && problem.wants_translation && problem.mass.is_none() {

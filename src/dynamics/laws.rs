@@ -47,8 +47,9 @@ impl Problem {
             match load.torque {
                 Torque::ConstantWorld { moment } => law.impulses.push((moment, load.window)),
                 Torque::ForceBody { force, arm } if arm.cross(&force) == Vector3::zeros() => {}
-                Torque::ForceWorld { arm, .. } if arm == Vector3::zeros() => {}
-                Torque::ForceWorld { force, .. } => {
+                Torque::ForceWorld { arm: vector, .. } | Torque::MagneticDipole { dipole: vector, .. }
+                    if vector == Vector3::zeros() => {}
+                Torque::ForceWorld { force, .. } | Torque::MagneticDipole { field: force, .. } => {
                     let axis = force.try_normalize(0.0)?;
                     if law.axis.is_some_and(|other| other.cross(&axis) != Vector3::zeros()) {
                         return None;
@@ -108,7 +109,7 @@ impl Problem {
 /// Whether energy is conserved under a load that acts always.
 fn has_potential(torque: &Torque) -> bool {
     match torque {
-        Torque::ForceWorld { .. } => true,
+        Torque::ForceWorld { .. } | Torque::MagneticDipole { .. } => true,
         Torque::General(load) => load.kind.is_conservative(),
         _ => false,
     }

@@ -68,6 +68,14 @@ pub enum Torque {
         /// Where it acts, in principal axes, m.
         arm: Vector3<f64>,
     },
+    /// τ = m × Rᵀ B `[Wertz78]`, of a dipole fixed in the body in a field fixed in the world; no force, as the field is
+    /// uniform.
+    MagneticDipole {
+        /// m, in principal axes, A m².
+        dipole: Vector3<f64>,
+        /// B, in world axes, T.
+        field: Vector3<f64>,
+    },
     /// τ = 3 n² r × I r on a circular orbit in the world x-y plane, r = Rᵀ (cos nt, sin nt, 0).
     GravityGradient {
         /// n, rad/s.
@@ -99,6 +107,7 @@ impl Torque {
             Self::MomentumBrake { rate } => -rate * moments.vector().component_mul(&state.angular_velocity.in_body()),
             Self::ForceBody { force, arm } => arm.cross(&force),
             Self::ForceWorld { force, arm } => arm.cross(&state.attitude.to_body(&force)),
+            Self::MagneticDipole { dipole, field } => dipole.cross(&state.attitude.to_body(&field)),
             Self::GravityGradient { mean_motion } => {
                 let radial = state.attitude.to_body(&radial_direction(mean_motion, time));
                 gradient_moment(moments, 3.0 * mean_motion * mean_motion, &radial)

@@ -9,6 +9,7 @@ macro_rules! scenes {
 
 scenes![
     "boxes_benchmark",
+    "compass_needle",
     "constant_body_torque",
     "constant_world_torque",
     "detumbling",

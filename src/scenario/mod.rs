@@ -30,8 +30,8 @@ pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
     BDotSpec, BodySpec, BoxSpec, BrakeSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec,
-    ForceFormulaSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec, InnerSphereSpec, MeshSpec, Method, MomentSpec,
-    ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance, QuadraticDampingSpec, QuadraticDragSpec,
-    QuaternionFeedbackSpec, RateFeedbackSpec, RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, SpringSpec,
-    TorqueFormulaSpec, TorqueSpecs, TorusSpec, ValueSpec,
+    ForceFormulaSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec, InnerSphereSpec, MagneticDipoleSpec, MeshSpec,
+    Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance, QuadraticDampingSpec,
+    QuadraticDragSpec, QuaternionFeedbackSpec, RateFeedbackSpec, RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec,
+    SpringSpec, TorqueFormulaSpec, TorqueSpecs, TorusSpec, ValueSpec,
 };

@@ -41,6 +41,10 @@ pub fn every_torque() -> Vec<(&'static str, Torque)> {
         ("force body", Torque::ForceBody { force: Vector3::new(1.0, 0.5, -0.7), arm }),
         ("force world", Torque::ForceWorld { force: Vector3::new(-0.4, 0.9, -1.6), arm }),
         ("gravity gradient", Torque::GravityGradient { mean_motion: 0.8 }),
+        (
+            "magnetic dipole",
+            Torque::MagneticDipole { dipole: Vector3::new(0.3, -0.4, 0.2), field: Vector3::new(0.2, -0.1, -0.15) },
+        ),
     ]
 }
 

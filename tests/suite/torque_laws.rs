@@ -6,7 +6,7 @@ use polhode::dynamics::{
     Load, Problem, Torque, Window, jacobi_integral, momentum_in_world, potential_energy, rotational_energy,
     translational_energy,
 };
-use polhode::propagation::{Effort, PropagationError, Propagator, States, Taylor};
+use polhode::propagation::{Effort, LagrangeTop, PropagationError, Propagator, States, Taylor};
 
 use crate::motions::{MOMENTS, RATES, differences, every_torque, grid, problem, row, run, state};
 
@@ -129,6 +129,52 @@ fn heavy_top_keeps_energy_and_two_momenta() {
         for ((found, _), (expected, scale)) in laws(*time, &state(&states, i)).into_iter().zip(start) {
             assert_near(found, expected, ROUNDING * scale);
         }
+    }
+}
+
+/// τ = m × B is normal to both: no work but what the potential −m·B gives back, no momentum along B.
+#[test]
+fn dipole_in_a_field_keeps_energy_and_the_momentum_along_the_field() {
+    let (dipole, field) = (Vector3::new(0.3, -0.4, 0.2), Vector3::new(0.5, 0.2, -0.9));
+    let mut problem = problem(MOMENTS, RATES, &[Torque::MagneticDipole { dipole, field }]);
+    // Nothing but the rotation.
+    problem.mass = None;
+    let times = grid(60.0, 50);
+    let states = run(taylor(&problem), &times);
+    let law = problem.momentum_law().expect("along the field");
+    assert_near(law.axis.expect("one component").dot(&field), field.norm(), 1e-15);
+    let laws = |state: &State| {
+        let energy = rotational_energy(problem.moments, state) - dipole.dot(&state.attitude.to_body(&field));
+        [energy, momentum(&problem, state).dot(&field)]
+    };
+    let start = laws(&problem.initial);
+    assert_near(problem.total_energy(0.0, &problem.initial).0, start[0], 1e-15);
+    for i in 0..times.len() {
+        for (found, expected) in laws(&state(&states, i)).into_iter().zip(start) {
+            assert_near(found, expected, ROUNDING);
+        }
+    }
+}
+
+/// A needle across the field in a plane: the period of the pendulum, 4 K(sin ½θ₀) √(I/mB), here for 90°.
+#[test]
+fn compass_needle_swings_as_a_pendulum() {
+    let needle = Torque::MagneticDipole { dipole: Vector3::z() * 0.5, field: Vector3::z() * 0.25 };
+    let mut problem = problem([2.0, 2.0, 0.1], [0.0; 3], &[needle]);
+    let turn = std::f64::consts::FRAC_1_SQRT_2;
+    problem.initial.attitude = Attitude::new([turn, turn, 0.0, 0.0]).expect("a unit quaternion");
+    assert!(LagrangeTop::covers(&problem));
+    // K(m = ½) = 1.8540746773013719, [DLMF] §19.
+    let period = 4.0 * 1.854_074_677_301_371_9 * 4.0;
+    let times = [0.25 * period, 0.5 * period, period];
+    for states in [run(taylor(&problem), &times), run(LagrangeTop::new(&problem).expect("a top"), &times)] {
+        let across = |i: usize| state(&states, i).attitude.to_world(&Vector3::z());
+        assert!((across(0) - Vector3::z()).norm() < 1e-13, "{}", across(0));
+        assert!((across(1) - Vector3::y()).norm() < 1e-13, "{}", across(1));
+        assert!((across(2) + Vector3::y()).norm() < 1e-13, "{}", across(2));
+        // At the bottom all of the potential energy: I ω² / 2 = m B.
+        let fastest = row(&states.angular_velocity, 0)[0].abs();
+        assert_near(fastest, libm::sqrt(2.0 * 0.125 / 2.0), 1e-15);
     }
 }
 

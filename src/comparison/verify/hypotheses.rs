@@ -201,6 +201,7 @@ fn reversed(load: &Load) -> Load {
         Torque::ConstantWorld { moment } => Torque::ConstantWorld { moment: -moment },
         Torque::ForceBody { force, arm } => Torque::ForceBody { force: -force, arm },
         Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: -force, arm },
+        Torque::MagneticDipole { dipole, field } => Torque::MagneticDipole { dipole: -dipole, field },
         other => other,
     };
     Load { torque, window: load.window }

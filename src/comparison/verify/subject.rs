@@ -120,7 +120,9 @@ impl<'a> Subject<'a> {
             load.window = Window { start: load.window.start - time, end: load.window.end - time };
             match &mut load.torque {
                 Torque::ConstantWorld { moment } => *moment = world_from_turned.inverse() * *moment,
-                Torque::ForceWorld { force, .. } => *force = world_from_turned.inverse() * *force,
+                Torque::MagneticDipole { field: force, .. } | Torque::ForceWorld { force, .. } => {
+                    *force = world_from_turned.inverse() * *force;
+                }
                 _ => {}
             }
         }

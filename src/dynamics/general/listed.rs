@@ -36,6 +36,12 @@ impl Torque {
                 let force = tape.vector(force);
                 Push::force(tape, symbols, force, arm)
             }
+            Self::MagneticDipole { dipole, field } => {
+                let (dipole, field) = (tape.vector(dipole), tape.vector(field));
+                let in_body = symbols.to_body(tape, field);
+                let moment = tape.cross(dipole, in_body);
+                Push::moment(tape, moment)
+            }
             Self::GravityGradient { mean_motion } => {
                 let moment = gradient(tape, symbols, moments, mean_motion);
                 Push::moment(tape, moment)

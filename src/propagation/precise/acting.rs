@@ -88,6 +88,7 @@ impl Acting {
                 self.add_couple(force, &arm.cross_matrix());
                 add(&mut self.world_acceleration, force);
             }
+            Torque::MagneticDipole { dipole, field } => self.add_couple(field, &dipole.cross_matrix()),
             Torque::GravityGradient { mean_motion } => {
                 let strength = DoubleDouble::product(mean_motion, mean_motion) * -3.0;
                 let before = self.gradient.map_or(ZERO, |(factors, _)| factors);

@@ -56,6 +56,7 @@ fn describe(load: &Load) -> String {
         Torque::LinearDamping { coefficient } => format!("damping {coefficient} N m s"),
         Torque::ForceBody { force, .. } => format!("body force {} N", three(force)),
         Torque::ForceWorld { force, .. } => format!("world force {} N", three(force)),
+        Torque::MagneticDipole { dipole, .. } => format!("magnetic dipole {} A m²", three(dipole)),
         Torque::GravityGradient { .. } => "gravity gradient".to_owned(),
         Torque::General(load) => load.kind.name().to_owned(),
     }

@@ -42,6 +42,13 @@ pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties, initial: &S
         let rate = not_negative(&key.field("rate_per_s"), spec.rate_per_s)?;
         loads.push(Load { torque: Torque::MomentumBrake { rate }, window: window(&key, spec.start_s, spec.end_s)? });
     }
+    for (index, spec) in spec.torque.magnetic_dipole.iter().enumerate() {
+        let key = torques.field("magnetic_dipole").index(index);
+        let dipole = to_principal(vector(&key.field("dipole_a_m2"), spec.dipole_a_m2)?);
+        let field = vector(&key.field("field_t"), spec.field_t)?;
+        let window = window(&key, spec.start_s, spec.end_s)?;
+        loads.push(Load { torque: Torque::MagneticDipole { dipole, field }, window });
+    }
     for (index, gradient) in spec.torque.gravity_gradient.iter().enumerate() {
         let key = torques.field("gravity_gradient").index(index);
         if spec.pivot.is_some() {

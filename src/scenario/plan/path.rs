@@ -141,7 +141,7 @@ pub fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str
         return Some((Path::AxialTorque, reason));
     }
     if !moves && LagrangeTop::covers(problem) {
-        let reason = "a symmetric body under a force on its axis is Lagrange's top, known in closed form";
+        let reason = "a symmetric body under a force or field on its axis is Lagrange's top, known in closed form";
         return Some((Path::LagrangeTop, reason));
     }
     None

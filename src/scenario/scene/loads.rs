@@ -37,6 +37,8 @@ pub struct TorqueSpecs {
     pub linear_damping: Vec<DampingSpec>,
     /// τ = −c L.
     pub momentum_brake: Vec<BrakeSpec>,
+    /// τ = m × Rᵀ B.
+    pub magnetic_dipole: Vec<MagneticDipoleSpec>,
     /// On a circular orbit in the world x-y plane, from (1, 0, 0) at t = 0.
     pub gravity_gradient: Vec<GravityGradientSpec>,
     /// By formulae of time and motion.
@@ -72,6 +74,15 @@ windowed! {
     BrakeSpec {
         /// c, 1/s, not negative.
         rate_per_s: f64,
+    }
+}
+windowed! {
+    /// A magnet in a uniform field: a compass needle, or what is left of a satellite's magnetism.
+    MagneticDipoleSpec {
+        /// In body axes, A m².
+        dipole_a_m2: [f64; 3],
+        /// In world axes, T.
+        field_t: [f64; 3],
     }
 }
 windowed! {

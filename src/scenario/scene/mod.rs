@@ -13,6 +13,8 @@ pub use general_loads::{
     BDotSpec, ForceFormulaSpec, InnerSphereSpec, QuadraticDampingSpec, QuadraticDragSpec, QuaternionFeedbackSpec,
     RateFeedbackSpec, SpringSpec, TorqueFormulaSpec,
 };
-pub use loads::{BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
+pub use loads::{
+    BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MagneticDipoleSpec, MomentSpec, TorqueSpecs,
+};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

@@ -231,6 +231,7 @@ fn pace(problem: &Problem) -> f64 {
         Torque::LinearDamping { coefficient } => coefficient / smallest,
         Torque::MomentumBrake { rate } => rate,
         Torque::ForceBody { force, arm } | Torque::ForceWorld { force, arm } => turning(force.norm() * arm.norm()),
+        Torque::MagneticDipole { dipole, field } => turning(dipole.norm() * field.norm()),
         Torque::GravityGradient { mean_motion } => mean_motion * (1.0 + turning(largest)),
         // Whatever its author wrote: not a step of it.
         Torque::General(_) => f64::INFINITY,

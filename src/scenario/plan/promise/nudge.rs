@@ -22,6 +22,7 @@ pub fn nudged(problem: &Problem, mut pattern: u64) -> Problem {
         match &mut load.torque {
             Torque::ConstantBody { moment } | Torque::ConstantWorld { moment } => vector(moment),
             Torque::ForceBody { force, .. } | Torque::ForceWorld { force, .. } => vector(force),
+            Torque::MagneticDipole { field, .. } => vector(field),
             Torque::MomentumBrake { rate } => *rate = nudge(*rate),
             Torque::LinearDamping { coefficient } => *coefficient = nudge(*coefficient),
             Torque::GravityGradient { mean_motion } => *mean_motion = nudge(*mean_motion),
