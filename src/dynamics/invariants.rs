@@ -16,7 +16,8 @@ pub fn translational_energy(mass: f64, state: &State) -> f64 {
     0.5 * mass * state.velocity.norm_squared()
 }
 
-/// R I ω, N m s: about the reference point, in world axes.
+/// R I ω, N m s: about the reference point, in world axes. Of the body alone: rotors have momentum of their own,
+/// [`Problem::momentum_in_world`](super::Problem::momentum_in_world).
 #[must_use]
 pub fn momentum_in_world(moments: PrincipalMoments, state: &State) -> Vector3<f64> {
     state.angular_velocity.momentum(moments).in_world(state.attitude)

@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::{General, GeneralLoad, InnerSphere, Load, Torque};
+use super::{General, GeneralLoad, InnerSphere, Load, Torque, momentum_in_world};
 use crate::body::{PrincipalMoments, State};
 
 /// An initial value problem: a body, its state at t = 0, and what acts on it. All in principal axes.
@@ -51,4 +51,53 @@ impl Problem {
             _ => None,
         })
     }
+
+    /// Whether the body carries a rotor.
+    #[must_use]
+    pub fn has_rotor(&self) -> bool {
+        self.loads.iter().any(|load| matches!(load.torque, Torque::Rotor { .. }))
+    }
+
+    /// The momentum of all rotors relative to the body at `time` in s, N m s; principal axes.
+    #[must_use]
+    pub fn rotor_momentum(&self, time: f64) -> Vector3<f64> {
+        rotor_momentum(&self.loads, time)
+    }
+
+    /// How large the momenta of rotors become, N m s: what their sum with the body's, which may be zero, is measured by.
+    #[must_use]
+    pub fn largest_rotor_momentum(&self) -> f64 {
+        let of_load = |load: &Load| match &load.torque {
+            Torque::Rotor { momentum } => momentum.largest_at_knots(),
+            _ => 0.0,
+        };
+        self.loads.iter().map(of_load).sum()
+    }
+
+    /// I ω + h, the angular momentum of the body and its rotors, N m s; principal axes.
+    #[must_use]
+    pub fn momentum_in_body(&self, time: f64, state: &State) -> Vector3<f64> {
+        let of_body = state.angular_velocity.momentum(self.moments).in_body();
+        if self.has_rotor() { of_body + self.rotor_momentum(time) } else { of_body }
+    }
+
+    /// The same in world axes: what only moments from outside change.
+    #[must_use]
+    pub fn momentum_in_world(&self, time: f64, state: &State) -> Vector3<f64> {
+        if self.has_rotor() {
+            state.attitude.to_world(&self.momentum_in_body(time, state))
+        } else {
+            momentum_in_world(self.moments, state)
+        }
+    }
+}
+
+/// The momentum of all rotors among `loads` relative to the body at `time` in s, N m s; principal axes.
+#[must_use]
+pub fn rotor_momentum(loads: &[Load], time: f64) -> Vector3<f64> {
+    let of_load = |load: &Load| match &load.torque {
+        Torque::Rotor { momentum } if load.window.contains(time) => momentum.at(time),
+        _ => Vector3::zeros(),
+    };
+    loads.iter().map(of_load).sum()
 }

@@ -22,7 +22,10 @@ scenes![
     "free_precession_oblate",
     "free_precession_prolate",
     "gravity_gradient",
+    "gyrostat_stability",
     "lagrange_top",
+    "measured_thruster",
+    "reaction_wheel",
     "shuttlecock",
     "slew_with_saturation",
     "spin_up",
@@ -30,6 +33,7 @@ scenes![
     "tether",
     "thrown_hammer",
     "thruster_pulses",
+    "thruster_schedule",
 ];
 
 /// Their names, in alphabetical order.

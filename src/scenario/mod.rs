@@ -29,9 +29,9 @@ pub(crate) use plan::{MOST_BODIES, nudged};
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
-    BDotSpec, BodySpec, BoxSpec, BrakeSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec,
+    AfterTable, BDotSpec, BodySpec, BoxSpec, BrakeSpec, Checks, DampingSpec, DriftSpec, EllipsoidSpec, FlipPeriodSpec,
     ForceFormulaSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec, InnerSphereSpec, MagneticDipoleSpec, MeshSpec,
     Method, MomentSpec, ParticleSpec, PivotSpec, PrecessionRateSpec, Provenance, QuadraticDampingSpec,
-    QuadraticDragSpec, QuaternionFeedbackSpec, RateFeedbackSpec, RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec,
-    SpringSpec, TorqueFormulaSpec, TorqueSpecs, TorusSpec, ValueSpec,
+    QuadraticDragSpec, QuaternionFeedbackSpec, RateFeedbackSpec, RotorSpec, RoundSpec, Scenario, Setting, SolidSpecs,
+    SphereSpec, SpringSpec, TableSpec, ThrusterSpec, TorqueFormulaSpec, TorqueSpecs, TorusSpec, ValueSpec,
 };

@@ -2,7 +2,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::{BodySamples, Channel, FigureAxis};
 use crate::body::{AngularVelocity, Attitude, State};
-use crate::dynamics::{InnerSphere, MomentumLaw, Problem, momentum_in_world, translational_energy};
+use crate::dynamics::{InnerSphere, MomentumLaw, Problem, translational_energy};
 use crate::propagation::States;
 
 /// Makes channels of states: turns principal axes back into body axes, and knows the laws whose drift is watched.
@@ -17,6 +17,7 @@ pub struct Derivation {
     initial_energy_scale: f64,
     initial_momentum: Vector3<f64>,
     sphere: Option<InnerSphere>,
+    largest_rotor_momentum: f64,
 }
 
 impl Derivation {
@@ -31,6 +32,7 @@ impl Derivation {
             initial_energy,
             initial_energy_scale,
             initial_momentum: initial_momentum(problem),
+            largest_rotor_momentum: problem.largest_rotor_momentum(),
             sphere: problem.inner_sphere(),
             problem: problem.clone(),
         }
@@ -57,7 +59,7 @@ impl Derivation {
     fn fill(&self, channel: Channel, batch: &Batch<'_>, samples: &mut BodySamples, columns: &mut [Vec<f64>]) {
         let (problem, states) = (&self.problem, batch.states);
         let to_body = |in_principal| self.body_from_principal.map_or(in_principal, |turn| turn * in_principal);
-        let moment = |time, state: &State| problem.moment(time, state);
+        let moment = |time, state: &State| problem.external_moment(time, state);
         match channel {
             Channel::Attitude => self.attitude(batch, columns),
             Channel::AngularVelocity if self.body_from_principal.is_none() => copy(&states.angular_velocity, columns),
@@ -66,11 +68,10 @@ impl Derivation {
                 batch.vectors(columns, |_, state| state.attitude.to_world(&state.angular_velocity.in_body()));
             }
             Channel::AngularMomentumWorld => {
-                batch.vectors(columns, |_, state| momentum_in_world(problem.moments, state));
+                batch.vectors(columns, |time, state| problem.momentum_in_world(time, state));
             }
             Channel::AngularMomentumBody => {
-                let momentum = |state: &State| state.angular_velocity.momentum(problem.moments).in_body();
-                batch.vectors(columns, |_, state| to_body(momentum(state)));
+                batch.vectors(columns, |time, state| to_body(problem.momentum_in_body(time, state)));
             }
             Channel::MomentBody => batch.vectors(columns, |time, state| to_body(moment(time, state))),
             Channel::MomentWorld => {
@@ -174,7 +175,8 @@ impl Derivation {
     fn momentum_drifts(&self, batch: &Batch<'_>, samples: &BodySamples, columns: &mut [Vec<f64>]) {
         let Some(law) = &self.momentum_law else { return batch.scalars(columns, |_, _, _| 0.0) };
         let initial = &self.initial_momentum;
-        let initial_norm = initial.norm();
+        // Body and rotors together may have no momentum at all.
+        let initial_norm = initial.norm().max(self.largest_rotor_momentum);
         let drift = |time, momentum: &Vector3<f64>| {
             parts_per_1e15(law.violation(time, initial, momentum), initial_norm.max(momentum.norm()))
         };
@@ -184,7 +186,7 @@ impl Derivation {
                 batch.scalars(columns, |index, time, _| drift(time, &momentum(index)));
             }
             _ => batch.scalars(columns, |index, time, state| {
-                let momentum = momentum_in_world(self.problem.moments, state);
+                let momentum = self.problem.momentum_in_world(time, state);
                 let whole =
                     self.sphere.map(|sphere| momentum + state.attitude.to_world(&sphere.momentum(&batch.inner(index))));
                 drift(time, &whole.unwrap_or(momentum))
@@ -206,9 +208,9 @@ impl Derivation {
     }
 }
 
-/// R (I ω + J σ) at t = 0.
+/// R (I ω + h + J σ) at t = 0.
 fn initial_momentum(problem: &Problem) -> Vector3<f64> {
-    let momentum = momentum_in_world(problem.moments, &problem.initial);
+    let momentum = problem.momentum_in_world(0.0, &problem.initial);
     let of_sphere = |sphere: InnerSphere| problem.initial.attitude.to_world(&sphere.momentum(&sphere.initial));
     problem.inner_sphere().map_or(momentum, |sphere| momentum + of_sphere(sphere))
 }

@@ -35,6 +35,7 @@ mod foreign_messages;
 mod foreign_tables;
 mod free_laws;
 mod full_disks;
+mod functions_of_time;
 #[cfg(feature = "serde")]
 mod general_loads;
 #[cfg(feature = "cli")]

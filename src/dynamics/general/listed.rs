@@ -1,11 +1,12 @@
 use super::{Push, Symbols};
 use crate::body::PrincipalMoments;
-use crate::dynamics::Torque;
+use crate::dynamics::{Profile, Torque};
 use crate::numerics::{Node, Tape};
 
 impl Torque {
-    /// The same load as operations: what [`Self::moment`] and [`Self::force`] say, term by term.
-    pub fn lay_out(&self, tape: &mut Tape, symbols: &Symbols, moments: PrincipalMoments) -> Push {
+    /// The same load as operations: what [`Self::moment`] and [`Self::force`] say, term by term, of a function of time
+    /// from `time` in s until its next knot.
+    pub fn lay_out(&self, tape: &mut Tape, symbols: &Symbols, moments: PrincipalMoments, time: f64) -> Push {
         match *self {
             Self::ConstantBody { moment } => {
                 let moment = tape.vector(moment);
@@ -42,6 +43,30 @@ impl Torque {
                 let moment = tape.cross(dipole, in_body);
                 Push::moment(tape, moment)
             }
+            Self::ProfileBody { ref moment } => {
+                let [moment, _] = cubic(tape, symbols, moment, time);
+                Push::moment(tape, moment)
+            }
+            Self::ProfileWorld { ref moment } => {
+                let [in_world, _] = cubic(tape, symbols, moment, time);
+                let moment = symbols.to_body(tape, in_world);
+                Push::moment(tape, moment)
+            }
+            Self::ForceProfileBody { ref force, arm } => {
+                let [in_body, _] = cubic(tape, symbols, force, time);
+                let (arm, force) = (tape.vector(arm), symbols.to_world(tape, in_body));
+                Push { moment: tape.cross(arm, in_body), force }
+            }
+            Self::ForceProfileWorld { ref force, arm } => {
+                let [force, _] = cubic(tape, symbols, force, time);
+                Push::force(tape, symbols, force, arm)
+            }
+            Self::Rotor { ref momentum } => {
+                let [momentum, driven] = cubic(tape, symbols, momentum, time);
+                let turned = tape.cross(momentum, symbols.rates);
+                let moment = tape.differences(turned, driven);
+                Push::moment(tape, moment)
+            }
             Self::GravityGradient { mean_motion } => {
                 let moment = gradient(tape, symbols, moments, mean_motion);
                 Push::moment(tape, moment)
@@ -49,6 +74,23 @@ impl Torque {
             Self::General(ref load) => load.kind.lay_out(tape, symbols),
         }
     }
+}
+
+/// A function of time and its derivative, by the cubic that holds at `time`, s.
+fn cubic(tape: &mut Tape, symbols: &Symbols, profile: &Profile, time: f64) -> [[Node; 3]; 2] {
+    let (knot, cubic) = profile.piece(time);
+    let knot = tape.constant(knot);
+    let passed = tape.difference(symbols.time, knot);
+    let [first, second, third, fourth] = cubic.map(|coefficients| tape.vector(coefficients));
+    let [two, three] = [2.0, 3.0].map(|factor| tape.constant(factor));
+    let horner = |tape: &mut Tape, sum: [Node; 3], next: [Node; 3]| {
+        let raised = tape.scaled(passed, sum);
+        tape.sums(raised, next)
+    };
+    let (twice, thrice) = (tape.scaled(two, third), tape.scaled(three, fourth));
+    let [bend, slope] = [(fourth, third), (thrice, twice)].map(|(high, low)| horner(tape, high, low));
+    let rising = horner(tape, bend, second);
+    [horner(tape, rising, first), horner(tape, slope, second)]
 }
 
 /// 3 n² r × I r, r = Rᵀ (cos nt, sin nt, 0).

@@ -1,13 +1,13 @@
 use crate::dynamics::{Load, Problem, Push, Symbols};
 use crate::numerics::{Node, Tape};
 
-/// The equations of motion while the same loads act: on the inputs of [`Symbols`], the rates of all but time.
+/// The equations of motion from `time`, s, while the same loads act and no function of time has a knot: on the inputs of [`Symbols`], the rates of all but time.
 pub(super) fn equations(problem: &Problem, time: f64) -> Tape {
     let mut tape = Tape::new(Symbols::INPUTS);
     let symbols = Symbols::on(&mut tape);
     let mut push = Push::none(&mut tape);
     for Load { torque, .. } in problem.loads.iter().filter(|load| load.window.contains(time)) {
-        let more = torque.lay_out(&mut tape, &symbols, problem.moments);
+        let more = torque.lay_out(&mut tape, &symbols, problem.moments, time);
         push = push.and(&mut tape, more);
     }
     let attitude = attitude_rate(&mut tape, &symbols);

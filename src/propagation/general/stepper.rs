@@ -9,9 +9,12 @@ use crate::propagation::{Effort, PropagationError};
 /// from one of its branches to another; they do not depend on sample times.
 #[derive(Debug, Clone)]
 pub(in crate::propagation) struct Stepper<F> {
-    /// The equations of motion from one edge to the next, and that edge, s.
-    spans: Vec<(Tape, f64)>,
+    problem: Problem,
+    schedule: Schedule,
+    /// The current span's number, its equations of motion, and its end, s.
     current: usize,
+    tape: Tape,
+    edge: f64,
     order: usize,
     tolerance: f64,
     series: Series<F>,
@@ -31,12 +34,16 @@ impl<F: Scalar> Stepper<F> {
     /// At t = 0, of problems whose loads make equations of motion.
     pub fn new(problem: &Problem, order: usize, tolerance: f64) -> Result<Self, DynamicsError> {
         let schedule = Schedule::new(problem)?;
-        let spans: Vec<_> = schedule.spans().iter().map(|span| (equations(problem, span.start), span.end)).collect();
+        let (from, edge) = schedule.bounds(0);
+        let tape = equations(problem, from);
         let (motion, start) = (Motion::new(problem), DoubleDouble::ZERO);
         Ok(Self {
-            series: Series::new(&spans[0].0, 0, &motion, start, 1.0),
-            spans,
+            series: Series::new(&tape, 0, &motion, start, 1.0),
+            problem: problem.clone(),
+            schedule,
             current: 0,
+            tape,
+            edge,
             order,
             tolerance,
             start,
@@ -73,18 +80,20 @@ impl<F: Scalar> Stepper<F> {
 
     /// Makes one step.
     pub fn advance(&mut self) -> Result<(), PropagationError> {
-        if self.end >= DoubleDouble::from(self.spans[self.current].1) {
+        if self.end >= DoubleDouble::from(self.edge) {
             // The last span ends at infinity, so there is a next one.
             self.current += 1;
+            let (from, edge) = self.schedule.bounds(self.current);
+            (self.tape, self.edge) = (equations(&self.problem, from), edge);
             self.unit = None;
         }
         let time = self.end;
         self.expand()?;
-        let (tape, edge) = &self.spans[self.current];
+        let (tape, edge) = (&self.tape, self.edge);
         self.start = time;
         let ratio = step_ratio(&self.series, tape, self.tolerance);
         let longest = (self.series.unit * ratio).min(LONGEST_STEP);
-        let to_edge = if edge.is_finite() { DoubleDouble::from(*edge) - time } else { DoubleDouble::from(*edge) };
+        let to_edge = if edge.is_finite() { DoubleDouble::from(edge) - time } else { DoubleDouble::from(edge) };
         let ends_on_edge = to_edge.hi() <= longest;
         let step = if ends_on_edge { to_edge } else { DoubleDouble::from(longest) };
         let switch = self.series.expansion.first_switch(tape, self.order, step.hi() / self.series.unit);
@@ -97,7 +106,7 @@ impl<F: Scalar> Stepper<F> {
         if !ends_on_edge && time.hi() + step.hi() == time.hi() {
             return Err(PropagationError::StepTooSmall { time: time.hi(), step: step.hi() });
         }
-        self.end = if ends_on_edge { DoubleDouble::from(*edge) } else { time + step };
+        self.end = if ends_on_edge { DoubleDouble::from(edge) } else { time + step };
         self.motion = motion;
         self.unit = Some(power_of_two(if switch.is_some() { longest } else { step.hi() }));
         self.effort.steps += 1;
@@ -106,7 +115,7 @@ impl<F: Scalar> Stepper<F> {
 
     /// The series of the motion from the end of the last step on, in a unit near the next one's length.
     fn expand(&mut self) -> Result<(), PropagationError> {
-        let (tape, time) = (&self.spans[self.current].0, self.end);
+        let (tape, time) = (&self.tape, self.end);
         let not_finite = PropagationError::NotFinite { time: time.hi() };
         let known = self.unit.is_some();
         let first_unit = || {

@@ -7,6 +7,7 @@
 
 mod acting;
 mod choice;
+mod drive;
 mod propagator;
 mod series;
 mod state;

@@ -9,9 +9,12 @@ use crate::propagation::{Effort, PropagationError};
 /// Motion under loads whose equations are bilinear: see [`PreciseTaylor`].
 #[derive(Debug, Clone)]
 pub(super) struct PreciseBilinear {
-    /// What acts from one edge to the next, and that edge, s.
-    spans: Vec<(Acting, f64)>,
+    problem: Problem,
+    schedule: Schedule,
+    /// The current span's number, what acts in it, and its end, s.
     current: usize,
+    acting: Acting,
+    edge: f64,
     series: Series,
     /// Of the series, s: a power of two.
     unit: f64,
@@ -36,12 +39,15 @@ impl PreciseBilinear {
     pub fn new(problem: &Problem) -> Result<Self, DynamicsError> {
         let schedule = Schedule::new(problem)?;
         let state = PreciseState::from_state(&problem.initial);
-        let spans = schedule.spans().iter().map(|span| (Acting::at(problem, span.start), span.end)).collect();
+        let acting = Acting::at(problem, 0.0);
         let mut series = Series::new();
-        series.expand(&state, DoubleDouble::ZERO, &Acting::at(problem, 0.0), 1.0, 0);
+        series.expand(&state, DoubleDouble::ZERO, &acting, 1.0, 0);
         Ok(Self {
-            spans,
+            problem: problem.clone(),
+            edge: schedule.bounds(0).1,
+            schedule,
             current: 0,
+            acting,
             series,
             unit: 1.0,
             start: DoubleDouble::ZERO,
@@ -76,13 +82,14 @@ impl PreciseBilinear {
 
     /// Makes one step.
     pub fn advance(&mut self) -> Result<(), PropagationError> {
-        if self.end >= DoubleDouble::from(self.spans[self.current].1) {
+        if self.end >= DoubleDouble::from(self.edge) {
             // The last span ends at infinity, so there is a next one.
             self.current += 1;
+            let (start, end) = self.schedule.bounds(self.current);
+            (self.acting, self.edge) = (Acting::at(&self.problem, start), end);
         }
-        let (acting, edge) = &self.spans[self.current];
-        let (time, edge) = (self.end, *edge);
-        self.unit = unit(&self.state, time, acting, &mut self.series);
+        let (acting, time, edge) = (&self.acting, self.end, self.edge);
+        self.unit = unit(&self.state, time, acting, edge, &mut self.series);
         self.series.expand(&self.state, time, acting, self.unit, ORDER);
         self.start = time;
         self.effort.evaluations += 1;
@@ -114,12 +121,15 @@ impl PreciseBilinear {
 }
 
 /// A power of two near the step's length, from how fast things happen in a state: no coefficient then over- or underflows.
-fn unit(state: &PreciseState, time: DoubleDouble, acting: &Acting, series: &mut Series) -> f64 {
+///
+/// What changes with time is as fast as the span to `edge` is short, at least: beyond it, its polynomials need no meaning.
+fn unit(state: &PreciseState, time: DoubleDouble, acting: &Acting, edge: f64, series: &mut Series) -> f64 {
     series.expand(state, time, acting, 1.0, 1);
     let turning = largest(&series.rates, 0).max(largest(&series.rates, 1).sqrt());
     let fading = acting.damping.iter().fold(0.0, |most: f64, value| most.max(value.hi()));
     let orbiting = acting.gradient.map_or(0.0, |(_, mean_motion)| mean_motion.abs());
-    let fastest = turning.max(fading).max(orbiting);
+    let driving = series.drive.as_ref().map_or(0.0, |drive| drive.turning().max(1.0 / (edge - time.hi())));
+    let fastest = turning.max(fading).max(orbiting).max(driving);
     let whole = libm::floor(-libm::log2(fastest));
     if (-1000.0..1000.0).contains(&whole) { libm::exp2(whole) } else { 1.0 }
 }

@@ -16,8 +16,12 @@ const STEPS_BETWEEN_NORMALISATIONS: u64 = 16;
 /// Motion under loads whose equations are bilinear: see [`Taylor`](super::Taylor). The state is carried in compensated sums.
 #[derive(Debug, Clone)]
 pub(super) struct Bilinear {
-    stretches: Vec<Stretch>,
+    euler: EulerEquations,
+    schedule: Schedule,
+    /// The current span's number, and what its series needs.
     current: usize,
+    stretch: Stretch,
+    with_attitude: bool,
     order: usize,
     tolerance: f64,
     wants_attitude: bool,
@@ -39,22 +43,21 @@ impl Bilinear {
         let schedule = Schedule::new(problem)?;
         let with_attitude = problem.wants_attitude || schedule.needs_attitude();
         let euler = EulerEquations::new(problem.moments);
-        let stretches: Vec<Stretch> = schedule
-            .spans()
-            .iter()
-            .map(|span| Stretch::new(&euler, span, with_attitude, problem.wants_translation))
-            .collect();
+        let stretch = Stretch::new(&euler, &schedule.span(0), with_attitude, problem.wants_translation);
         let start = Carried::new(&problem.initial);
-        let unit = stretches[0].unit_at(&start);
+        let unit = stretch.unit_at(&start);
         Ok(Self {
+            euler,
+            schedule,
             current: 0,
+            with_attitude,
             order: order_for(tolerance),
             tolerance,
             wants_attitude: problem.wants_attitude,
             wants_translation: problem.wants_translation,
             series: Series::new(),
-            terms: stretches[0].terms_in(unit),
-            stretches,
+            terms: stretch.terms_in(unit),
+            stretch,
             start,
             end: start,
             unit,
@@ -79,14 +82,16 @@ impl Bilinear {
 
     /// Makes one step.
     fn advance(&mut self) -> Result<(), PropagationError> {
-        if self.end.time.until(self.stretches[self.current].end) <= 0.0 {
-            // The last stretch ends at infinity, so there is a next one.
+        if self.end.time.until(self.stretch.end) <= 0.0 {
+            // The last span ends at infinity, so there is a next one.
             self.current += 1;
+            let span = self.schedule.span(self.current);
+            self.stretch = Stretch::new(&self.euler, &span, self.with_attitude, self.wants_translation);
             self.series = Series::new();
-            self.unit = self.stretches[self.current].unit_at(&self.end);
-            self.terms = self.stretches[self.current].terms_in(self.unit);
+            self.unit = self.stretch.unit_at(&self.end);
+            self.terms = self.stretch.terms_in(self.unit);
         }
-        let stretch = &self.stretches[self.current];
+        let stretch = &self.stretch;
         if self.unit != self.terms.unit {
             self.terms = stretch.terms_in(self.unit);
         }

@@ -78,7 +78,11 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         problem.loads.iter().any(|load| has_potential(&load.torque)) || moves && problem.gravity.norm() > 0.0;
     let conserves = problem.energy_law().is_some();
     let has_moment = problem.loads.iter().any(|load| match load.torque {
-        Torque::ForceBody { arm, .. } | Torque::ForceWorld { arm, .. } => arm.norm() > 0.0,
+        Torque::ForceBody { arm, .. }
+        | Torque::ForceWorld { arm, .. }
+        | Torque::ForceProfileBody { arm, .. }
+        | Torque::ForceProfileWorld { arm, .. } => arm.norm() > 0.0,
+        Torque::Rotor { .. } => false,
         _ => true,
     });
     let is_interesting = |channel: &Channel| match channel {

@@ -4,7 +4,6 @@ mod bodies;
 mod channels;
 mod checks;
 mod events;
-mod general_loads;
 mod loads;
 mod mass;
 mod mesh;

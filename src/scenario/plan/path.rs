@@ -160,6 +160,10 @@ fn with_fixed_step(scenario: &Scenario, problem: &Problem, method: FixedStepMeth
         let rule = format_args!("\"{name}\" needs a body without torques and forces");
         return Err(Key::root("method").refuse(rule));
     }
+    if coverage == Coverage::ListedLoads && problem.has_rotor() {
+        let rule = format_args!("\"{name}\" does not know how a body that carries a rotor turns; use \"auto\"");
+        return Err(Key::root("method").refuse(rule));
+    }
     let key = Key::root("step_s");
     let step = scenario.step_s.ok_or_else(|| key.refuse(format_args!("missing: method = \"{name}\" needs it")))?;
     Ok((Path::FixedStep { method, step: positive(&key, step)? }, asked(name)))

@@ -1,9 +1,9 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
-use super::{ForceSpecs, SolidSpecs, TorqueSpecs};
+use super::{ForceSpecs, RotorSpec, SolidSpecs, TorqueSpecs};
 
 /// One body: what it is, how it starts, what acts on it.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -39,10 +39,22 @@ pub struct BodySpec {
     pub gravity_m_s2: Option<[f64; 3]>,
     /// A point of the body that is held fixed.
     pub pivot: Option<PivotSpec>,
+    /// Wheels that spin inside; the inertia given includes them.
+    pub rotor: Vec<RotorSpec>,
     /// Torques.
     pub torque: TorqueSpecs,
     /// Forces.
     pub force: ForceSpecs,
+}
+
+impl BodySpec {
+    /// The files that it names, and what they are.
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, &Path)> {
+        let meshes = self.mesh.iter().map(|mesh| ("mesh", mesh.file.as_path()));
+        let tables = self.torque.table.iter().chain(&self.force.table);
+        let tables = tables.filter_map(|table| Some(("table", table.file.as_deref()?)));
+        meshes.chain(tables)
+    }
 }
 
 /// One point mass.

@@ -1,10 +1,13 @@
+use std::path::PathBuf;
+
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
 use super::{
-    BDotSpec, ForceFormulaSpec, InnerSphereSpec, QuadraticDampingSpec, QuadraticDragSpec, QuaternionFeedbackSpec,
-    RateFeedbackSpec, SpringSpec, TorqueFormulaSpec,
+    BDotSpec, ForceFormulaSpec, Frame, InnerSphereSpec, QuadraticDampingSpec, QuadraticDragSpec,
+    QuaternionFeedbackSpec, RateFeedbackSpec, SpringSpec, TorqueFormulaSpec,
 };
+use crate::dynamics::Interpolation;
 
 macro_rules! windowed {
     ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $kind:ty),+ $(,)? }) => {
@@ -39,6 +42,8 @@ pub struct TorqueSpecs {
     pub momentum_brake: Vec<BrakeSpec>,
     /// τ = m × Rᵀ B.
     pub magnetic_dipole: Vec<MagneticDipoleSpec>,
+    /// A function of time, by a table.
+    pub table: Vec<TableSpec>,
     /// On a circular orbit in the world x-y plane, from (1, 0, 0) at t = 0.
     pub gravity_gradient: Vec<GravityGradientSpec>,
     /// By formulae of time and motion.
@@ -110,10 +115,87 @@ pub struct ForceSpecs {
     pub constant_body: Vec<ForceSpec>,
     /// Constant in world axes.
     pub constant_world: Vec<ForceSpec>,
+    /// Pulses of a force constant in body axes.
+    pub thruster: Vec<ThrusterSpec>,
+    /// A function of time, by a table.
+    pub table: Vec<TableSpec>,
     /// By formulae of time and motion.
     pub formula: Vec<ForceFormulaSpec>,
     /// From a point of the world.
     pub spring: Vec<SpringSpec>,
     /// F = −c |u| u.
     pub quadratic_drag: Vec<QuadraticDragSpec>,
+}
+
+windowed! {
+    /// A torque or a force as a function of time: from a file, or from rows.
+    TableSpec {
+        /// CSV: a header of four columns, then time in s and three components in N m, of a force in N; relative to the
+        /// scene.
+        #[cfg_attr(feature = "serde", serde(default))]
+        file: Option<PathBuf>,
+        /// The same in the scene: `[t, x, y, z]`, ascending.
+        #[cfg_attr(feature = "serde", serde(default))]
+        rows: Option<Vec<[f64; 4]>>,
+        /// The axes of its components.
+        frame: Frame,
+        /// What lies between the rows; left out: straight lines.
+        #[cfg_attr(feature = "serde", serde(default))]
+        interpolation: Interpolation,
+        /// What comes after the last row; left out: nothing.
+        #[cfg_attr(feature = "serde", serde(default))]
+        after: AfterTable,
+        /// Of a force: where it acts, in body axes, from the body's origin, m.
+        #[cfg_attr(feature = "serde", serde(default))]
+        point_m: Option<[f64; 3]>,
+    }
+}
+
+/// What a table says after its last row.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(Deserialize), serde(rename_all = "snake_case"))]
+pub enum AfterTable {
+    /// Zero.
+    #[default]
+    Zero,
+    /// The last row's values.
+    Hold,
+}
+
+windowed! {
+    /// A thruster that fires in pulses: listed, or periodic from `start_s` on.
+    ThrusterSpec {
+        /// Of the force, in body axes, of length 1.
+        direction: [f64; 3],
+        /// Force at full level, N.
+        thrust_n: f64,
+        /// Where it acts, in body axes, from the body's origin, m.
+        point_m: [f64; 3],
+        /// `[on, off]` or `[on, off, amplitude]`: s, s, share of the full level.
+        #[cfg_attr(feature = "serde", serde(default))]
+        pulses_s: Option<Vec<Vec<f64>>>,
+        /// From one pulse's start to the next's, s.
+        #[cfg_attr(feature = "serde", serde(default))]
+        period_s: Option<f64>,
+        /// Share of the period for which it fires, up to 1.
+        #[cfg_attr(feature = "serde", serde(default))]
+        duty: Option<f64>,
+    }
+}
+
+/// A wheel that spins inside the body, its momentum relative to the body constant or by straight lines.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
+pub struct RotorSpec {
+    /// In body axes, of length 1.
+    pub axis: [f64; 3],
+    /// Constant momentum, N m s.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub momentum_n_m_s: Option<f64>,
+    /// Times of the momenta, s, ascending.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub times_s: Option<Vec<f64>>,
+    /// Momentum at these times, N m s; constant before the first and after the last.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub momenta_n_m_s: Option<Vec<f64>>,
 }

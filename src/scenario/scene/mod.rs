@@ -14,7 +14,8 @@ pub use general_loads::{
     RateFeedbackSpec, SpringSpec, TorqueFormulaSpec,
 };
 pub use loads::{
-    BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MagneticDipoleSpec, MomentSpec, TorqueSpecs,
+    AfterTable, BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MagneticDipoleSpec, MomentSpec,
+    RotorSpec, TableSpec, ThrusterSpec, TorqueSpecs,
 };
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

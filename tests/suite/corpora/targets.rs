@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use polhode::body::{Attitude, TriangleMesh};
 use polhode::dynamics::formula::Expression;
-use polhode::dynamics::{FormulaLoad, FormulaPlace, General, Problem, Symbols, Torque};
+use polhode::dynamics::{FormulaLoad, FormulaPlace, General, Problem, Profile, Symbols, Torque};
 use polhode::numerics::{Expansion, Tape};
 use polhode::propagation::States;
 use polhode::recording::foreign::{Mapping, Observation, observe};
@@ -231,6 +231,11 @@ fn pace(problem: &Problem) -> f64 {
         Torque::LinearDamping { coefficient } => coefficient / smallest,
         Torque::MomentumBrake { rate } => rate,
         Torque::ForceBody { force, arm } | Torque::ForceWorld { force, arm } => turning(force.norm() * arm.norm()),
+        Torque::ProfileBody { ref moment } | Torque::ProfileWorld { ref moment } => turning(largest_of(moment)),
+        Torque::ForceProfileBody { ref force, arm } | Torque::ForceProfileWorld { ref force, arm } => {
+            turning(largest_of(force) * arm.norm())
+        }
+        Torque::Rotor { ref momentum } => largest_of(momentum) / smallest,
         Torque::MagneticDipole { dipole, field } => turning(dipole.norm() * field.norm()),
         Torque::GravityGradient { mean_motion } => mean_motion * (1.0 + turning(largest)),
         // Whatever its author wrote: not a step of it.
@@ -238,6 +243,11 @@ fn pace(problem: &Problem) -> f64 {
     });
     let spin = problem.initial.angular_velocity.in_body().norm() * largest / smallest;
     loads.sum::<f64>() + spin
+}
+
+/// Of a function of time, at its knots.
+fn largest_of(profile: &Profile) -> f64 {
+    profile.knots().iter().map(|knot| profile.at(*knot).norm()).fold(0.0, f64::max)
 }
 
 /// Nothing that is not finite comes without an error, and attitudes are of unit length.

@@ -53,6 +53,11 @@ pub fn loaded() -> impl Strategy<Value = Problem> {
                 Torque::MomentumBrake { rate } => Torque::MomentumBrake { rate: rate * spin },
                 Torque::ForceBody { force, arm } => Torque::ForceBody { force: force * moment_unit, arm },
                 Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: force * moment_unit, arm },
+                other @ (Torque::ProfileBody { .. }
+                | Torque::ProfileWorld { .. }
+                | Torque::ForceProfileBody { .. }
+                | Torque::ForceProfileWorld { .. }
+                | Torque::Rotor { .. }) => other,
                 Torque::MagneticDipole { dipole, field } => {
                     Torque::MagneticDipole { dipole: dipole * moment_unit, field }
                 }

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::loads::window;
-use super::rules::{not_negative, optional_vector, positive, rotation, vector};
+use super::plan::window;
 use crate::body::{MassProperties, State};
 use crate::dynamics::formula::{Expression, Variable};
 use crate::dynamics::{
     BDot, FormulaLoad, FormulaPlace, General, GeneralLoad, InnerSphere, Load, QuaternionFeedback, RateFeedback, Spring,
     Torque, Window,
 };
+use crate::scenario::plan::rules::{not_negative, optional_vector, positive, rotation, vector};
 use crate::scenario::{BodySpec, Frame, InnerSphereSpec, Key, QuaternionFeedbackSpec, Refusal, SpringSpec};
 
 /// What these loads have to know of the body.
