@@ -8,7 +8,7 @@ use polhode::dynamics::{
     BDot, FormulaLoad, FormulaPlace, General, GeneralLoad, InnerSphere, Load, Problem, QuaternionFeedback,
     RateFeedback, Spring, Torque, Window,
 };
-use polhode::propagation::{Dop853, PreciseTaylor, States, Taylor, attitude_distance};
+use polhode::propagation::{Dop853, PreciseTaylor, Propagator, States, Taylor, attitude_distance};
 
 use crate::motions::{MOMENTS, RATES, every_torque, grid, problem, row, run};
 
@@ -129,6 +129,17 @@ fn corners_are_stepped_to_and_not_across() {
     for (found, alone) in states.angular_velocity.iter().zip(&last.angular_velocity) {
         assert_eq!(found.last(), alone.last(), "a sample depends on those before it");
     }
+}
+
+/// A window of 2⁻³⁰ s makes a step of just that length, and the effort tells it.
+#[test]
+fn the_shortest_step_is_told() {
+    let length = libm::exp2(-30.0);
+    let mut body = problem(MOMENTS, RATES, &[formula(["0.1*wy", "0", "0"], false)]);
+    body.loads[0].window = Window { start: 1.0, end: 1.0 + length };
+    let mut taylor = Taylor::new(&body, TIGHTEST).expect("covered");
+    taylor.fill(&[2.0], &mut States::default()).expect("a finite motion");
+    assert_eq!(taylor.effort().shortest_step_s, Some(length));
 }
 
 /// A peak a thousandth of its distance wide, and zero in f64 where the run starts, is not stepped over.

@@ -1,7 +1,8 @@
 use crate::dynamics::{Load, Problem, Push, Symbols};
 use crate::numerics::{Node, Tape};
 
-/// The equations of motion from `time`, s, while the same loads act and no function of time has a knot: on the inputs of [`Symbols`], the rates of all but time.
+/// The equations of motion from `time`, s, while the same loads act and no function of time has a knot: on the inputs of
+/// [`Symbols`], the rates of all but time.
 pub(super) fn equations(problem: &Problem, time: f64) -> Tape {
     let mut tape = Tape::new(Symbols::INPUTS);
     let symbols = Symbols::on(&mut tape);

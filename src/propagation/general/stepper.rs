@@ -5,8 +5,8 @@ use crate::dynamics::{DynamicsError, Problem, Schedule};
 use crate::numerics::{DoubleDouble, Scalar, Tape};
 use crate::propagation::{Effort, PropagationError};
 
-/// From step to step, with series in `F`. Steps end exactly where a load starts or ends, and where a result on the tape goes
-/// from one of its branches to another; they do not depend on sample times.
+/// From step to step, with series in `F`. Steps end exactly where a load starts or ends, where a function of time has a knot,
+/// and where a result on the tape goes from one of its branches to another; they do not depend on sample times.
 #[derive(Debug, Clone)]
 pub(in crate::propagation) struct Stepper<F> {
     problem: Problem,
@@ -109,7 +109,7 @@ impl<F: Scalar> Stepper<F> {
         self.end = if ends_on_edge { DoubleDouble::from(edge) } else { time + step };
         self.motion = motion;
         self.unit = Some(power_of_two(if switch.is_some() { longest } else { step.hi() }));
-        self.effort.steps += 1;
+        self.effort.include_step(step.hi());
         Ok(())
     }
 

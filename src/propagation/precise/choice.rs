@@ -9,7 +9,8 @@ use crate::propagation::{Effort, PropagationError};
 /// Motion under any loads to about 30 digits, by Taylor series in double-double: the measure of other propagators.
 ///
 /// Every number of the problem is taken as the exact value of its f64; the first quaternion is normalised in
-/// double-double. Steps end exactly on the edges of windows. Hundreds of times the cost of [`Taylor`](super::super::Taylor).
+/// double-double. Steps end exactly on the edges of windows and on the knots of functions of time. Hundreds of times the
+/// cost of [`Taylor`](super::super::Taylor).
 #[derive(Debug, Clone)]
 pub struct PreciseTaylor {
     way: Way,

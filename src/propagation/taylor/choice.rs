@@ -6,9 +6,10 @@ use crate::propagation::{Effort, PropagationError, Propagator, States};
 
 /// Motion under any loads, by Taylor series of high order with dense output `[JZ05]`.
 ///
-/// The state is carried with more digits than f64, steps stop exactly where a load starts or ends, and no step is ever
-/// thrown away: its length follows from the series. Where the steps lie does not depend on the sample times. Loads of a
-/// [`General`](crate::dynamics::General) kind go by a tape of operations, all others by recurrences laid out by hand.
+/// The state is carried with more digits than f64, steps stop exactly where a load starts or ends and where a function
+/// of time has a knot, and no step is ever thrown away: its length follows from the series. Where the steps lie does not
+/// depend on the sample times. Loads of a [`General`](crate::dynamics::General) kind go by a tape of operations, all others
+/// by recurrences laid out by hand.
 #[derive(Debug, Clone)]
 pub struct Taylor(Way);
 
