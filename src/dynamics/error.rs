@@ -10,6 +10,9 @@ pub enum DynamicsError {
     /// Two orbits at the same time.
     #[error("gravity gradients that act at the same time must have the same mean motion")]
     TwoOrbits,
+    /// Motion inside the body, by a method that knows of none.
+    #[error("a sphere inside the body moves by itself, which only Taylor series follow")]
+    InnerSphere,
 }
 
 impl DynamicsError {
@@ -19,6 +22,7 @@ impl DynamicsError {
         match self {
             Self::NoMass => "a force moves the body, so its mass must be given",
             Self::TwoOrbits => "gravity gradients that act at the same time must have the same mean motion",
+            Self::InnerSphere => "a sphere inside the body moves by itself, which only Taylor series follow",
         }
     }
 }

@@ -16,7 +16,8 @@ pub fn translational_energy(mass: f64, state: &State) -> f64 {
     0.5 * mass * state.velocity.norm_squared()
 }
 
-/// R I ω, N m s: about the reference point, in world axes.
+/// R I ω, N m s: about the reference point, in world axes. Of the body alone: rotors have momentum of their own,
+/// [`Problem::momentum_in_world`](super::Problem::momentum_in_world).
 #[must_use]
 pub fn momentum_in_world(moments: PrincipalMoments, state: &State) -> Vector3<f64> {
     state.angular_velocity.momentum(moments).in_world(state.attitude)
@@ -24,15 +25,17 @@ pub fn momentum_in_world(moments: PrincipalMoments, state: &State) -> Vector3<f6
 
 /// The potential energy, J, of a load that has one while it acts; `None` for one that has not (thruster, brake, motor).
 ///
-/// A force constant in the world: −F·(x + R arm). The gravity gradient: 3/2 n² r·I r.
+/// A force constant in the world: −F·(x + R arm). A dipole in a field: −m·Rᵀ B. The gravity gradient: 3/2 n² r·I r.
 #[must_use]
 pub fn potential_energy(torque: &Torque, moments: PrincipalMoments, time: f64, state: &State) -> Option<f64> {
     match *torque {
         Torque::ForceWorld { force, arm } => Some(-force.dot(&(state.position + state.attitude.to_world(&arm)))),
+        Torque::MagneticDipole { dipole, field } => Some(-dipole.dot(&state.attitude.to_body(&field))),
         Torque::GravityGradient { mean_motion } => {
             let radial = state.attitude.to_body(&radial_direction(mean_motion, time));
             Some(1.5 * mean_motion * mean_motion * moments.vector().dot(&radial.component_mul(&radial)))
         }
+        Torque::General(ref load) => load.kind.potential_energy(state),
         _ => None,
     }
 }

@@ -1,15 +1,18 @@
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::invariants::{
     jacobi_integral, momentum_in_world, potential_energy, rotational_energy, translational_energy,
 };
-use super::{Load, Problem, Torque, Window};
+use super::{General, Load, Problem, Profile, Torque, Window};
 use crate::body::State;
 
 /// Which energy a motion conserves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum EnergyLaw {
-    /// Rotational, translational and potential energy together.
+    /// Rotational, translational and potential energy together. With rotors of constant momentum, whose motors hold them
+    /// at their speed, it is ½ ω·Iω that stays, what the motors give or take apart.
     Total,
     /// On a circular orbit, with the orbit's turning taken into account: `E + 3/2 n² r·Ir − n L_z`.
     Jacobi {
@@ -24,6 +27,7 @@ pub struct MomentumLaw {
     /// The world axis along which the law holds; `None`: the whole vector.
     pub axis: Option<Vector3<f64>>,
     impulses: Vec<(Vector3<f64>, Window)>,
+    profiles: Vec<(Arc<Profile>, Window)>,
 }
 
 impl Problem {
@@ -35,34 +39,44 @@ impl Problem {
             [load @ Load { torque: Torque::GravityGradient { mean_motion }, .. }] if acts_always(load) => {
                 Some(EnergyLaw::Jacobi { mean_motion: *mean_motion })
             }
-            loads => loads
-                .iter()
-                .all(|load| acts_always(load) && matches!(load.torque, Torque::ForceWorld { .. }))
-                .then_some(EnergyLaw::Total),
+            loads => {
+                loads.iter().all(|load| acts_always(load) && conserves_energy(&load.torque)).then_some(EnergyLaw::Total)
+            }
         }
     }
 
     /// What is known of the angular momentum, if anything.
     #[must_use]
     pub fn momentum_law(&self) -> Option<MomentumLaw> {
-        let mut law = MomentumLaw { axis: None, impulses: Vec::new() };
+        let mut law = MomentumLaw { axis: None, impulses: Vec::new(), profiles: Vec::new() };
         for load in &self.loads {
             match load.torque {
+                Torque::Rotor { .. } if load.window == Window::ALWAYS => {}
+                Torque::ProfileWorld { ref moment } => law.profiles.push((Arc::clone(moment), load.window)),
+                Torque::ForceProfileBody { arm, .. } | Torque::ForceProfileWorld { arm, .. }
+                    if arm == Vector3::zeros() => {}
                 Torque::ConstantWorld { moment } => law.impulses.push((moment, load.window)),
                 Torque::ForceBody { force, arm } if arm.cross(&force) == Vector3::zeros() => {}
-                Torque::ForceWorld { arm, .. } if arm == Vector3::zeros() => {}
-                Torque::ForceWorld { force, .. } => {
+                Torque::ForceWorld { arm: vector, .. } | Torque::MagneticDipole { dipole: vector, .. }
+                    if vector == Vector3::zeros() => {}
+                Torque::ForceWorld { force, .. } | Torque::MagneticDipole { field: force, .. } => {
                     let axis = force.try_normalize(0.0)?;
                     if law.axis.is_some_and(|other| other.cross(&axis) != Vector3::zeros()) {
                         return None;
                     }
                     law.axis = Some(axis);
                 }
+                Torque::General(ref load) if matches!(load.kind, General::InnerSphere(_)) => {}
                 Torque::ConstantBody { .. }
+                | Torque::Rotor { .. }
+                | Torque::ProfileBody { .. }
+                | Torque::ForceProfileBody { .. }
+                | Torque::ForceProfileWorld { .. }
                 | Torque::ForceBody { .. }
                 | Torque::LinearDamping { .. }
                 | Torque::MomentumBrake { .. }
-                | Torque::GravityGradient { .. } => return None,
+                | Torque::GravityGradient { .. }
+                | Torque::General(_) => return None,
             }
         }
         Some(law)
@@ -81,10 +95,17 @@ impl Problem {
         is_alone.then(|| jacobi_integral(mean_motion, self.moments, time, state))
     }
 
-    /// Everything that turns the body at `time` in s, about the reference point: N m, principal axes.
+    /// Everything that turns the body at `time` in s, rotors too, about the reference point: N m, principal axes.
     #[must_use]
     pub fn moment(&self, time: f64, state: &State) -> Vector3<f64> {
         self.loads.iter().map(|load| load.moment(self.moments, time, state)).sum()
+    }
+
+    /// Everything that acts on the body from outside at `time` in s, about the reference point: N m, principal axes.
+    #[must_use]
+    pub fn external_moment(&self, time: f64, state: &State) -> Vector3<f64> {
+        let external = self.loads.iter().filter(|load| !load.torque.is_internal());
+        external.map(|load| load.moment(self.moments, time, state)).sum()
     }
 
     /// Everything that moves the reference point at `time` in s: N, world axes.
@@ -119,12 +140,24 @@ impl Problem {
     }
 }
 
+/// Whether it has a potential, or does no work at all, as long as it acts.
+fn conserves_energy(torque: &Torque) -> bool {
+    match torque {
+        Torque::ForceWorld { .. } | Torque::MagneticDipole { .. } => true,
+        Torque::Rotor { momentum } => momentum.is_constant(),
+        Torque::General(load) => load.kind.is_conservative(),
+        _ => false,
+    }
+}
+
 impl MomentumLaw {
     /// ∫τ dt from 0 to `time`, of the moments constant in the world, N m s.
     #[must_use]
     pub fn impulse(&self, time: f64) -> Vector3<f64> {
         let span = |window: &Window| (window.end.min(time) - window.start.max(0.0)).max(0.0);
-        self.impulses.iter().map(|(moment, window)| moment * span(window)).sum()
+        let constant: Vector3<f64> = self.impulses.iter().map(|(moment, window)| moment * span(window)).sum();
+        let of = |profile: &Profile, window: &Window| profile.integral(window.start.max(0.0), window.end.min(time));
+        self.profiles.iter().fold(constant, |sum, (profile, window)| sum + of(profile, window))
     }
 
     /// How far `momentum` (world axes) is from its law, N m s.

@@ -24,6 +24,30 @@ impl DoubleDouble {
         (p + Self::ONE).scale(libm::exp2(k))
     }
 
+    /// ln x, error a few parts in 2¹⁰⁰ of the larger of |ln x| and 1; not finite for what is not positive.
+    #[must_use]
+    pub fn ln(self) -> Self {
+        let first = libm::log(self.hi());
+        if !first.is_finite() {
+            return Self::from(first);
+        }
+        // Newton's step on e^y = x, which doubles the digits.
+        let first = Self::from(first);
+        first + (self * (-first).exp() - Self::ONE)
+    }
+
+    /// The angle between −π/2 and π/2 whose tangent is x, error a few parts in 2¹⁰⁰.
+    #[must_use]
+    pub fn atan(self) -> Self {
+        let first = Self::from(libm::atan(self.hi()));
+        if !self.hi().is_finite() {
+            return first;
+        }
+        // What is left is an angle below 1e-16, and its own tangent.
+        let (cosine, sine) = first.cos_sin();
+        first + (self * cosine - sine) / (cosine + self * sine)
+    }
+
     /// (sinh x, cosh x), sinh with small relative error however small x.
     #[must_use]
     pub fn sinh_cosh(self) -> (Self, Self) {

@@ -1,4 +1,4 @@
-//! Mathematics without bodies in it: elliptic functions, rotation maps, double-double, series.
+//! Mathematics without bodies in it: elliptic functions, rotation maps, double-double, series, tapes.
 
 mod compensated;
 mod convolution;
@@ -8,6 +8,7 @@ mod elliptic;
 mod four;
 mod lanes;
 pub mod so3;
+mod tape;
 mod theta;
 mod turn;
 
@@ -18,6 +19,7 @@ pub use elementary::exp_of_negative;
 pub use elliptic::{carlson_rf, complete_k, complete_k_of_nome, nome};
 pub use four::{Four, Kernel, in_registers};
 pub use lanes::vectorised;
+pub use tape::{Expansion, Node, Operation, Scalar, Tape};
 pub use theta::{
     FlipSum, Jacobi, JacobiFlips, JacobiSeries, NomeSeries, ShiftedFlips, ShiftedPair, ShiftedSeries, Theta, ThetaPair,
     TwoShifts,

@@ -20,7 +20,9 @@ pub(super) struct Equations {
     schedule: Schedule,
     model: Option<Box<dyn TorqueModel + Send>>,
     with_attitude: bool,
+    /// The current span's number, and what acts in it.
     current: usize,
+    span: Span,
     /// Derivatives worked out so far.
     pub evaluations: u64,
 }
@@ -36,9 +38,13 @@ pub(super) struct Push {
 impl Equations {
     pub fn new(problem: &Problem, model: Option<Box<dyn TorqueModel + Send>>) -> Result<Self, DynamicsError> {
         let schedule = Schedule::new(problem)?;
+        if problem.inner_sphere().is_some() {
+            return Err(DynamicsError::InnerSphere);
+        }
         Ok(Self {
             euler: EulerEquations::new(problem.moments),
             with_attitude: problem.wants_attitude || schedule.needs_attitude() || model.is_some(),
+            span: schedule.span(0),
             schedule,
             model,
             problem: problem.clone(),
@@ -59,12 +65,13 @@ impl Equations {
 
     /// The span whose loads act now.
     pub fn span(&self) -> &Span {
-        &self.schedule.spans()[self.current]
+        &self.span
     }
 
     /// Goes on to the next span; the last one has no end to go over.
     pub fn next_span(&mut self) {
         self.current += 1;
+        self.span = self.schedule.span(self.current);
     }
 
     /// The derivative under the loads of the current span, whatever the time.
@@ -86,13 +93,20 @@ impl Equations {
     /// What the loads of the current span do, whatever the time: one evaluation.
     pub fn push(&mut self, time: f64, values: &Values) -> Push {
         self.evaluations += 1;
-        let loads = &self.schedule.spans()[self.current].loads;
+        let loads = &self.span.loads;
         let body_from_world = if self.with_attitude { body_from_world(values) } else { Matrix3::identity() };
         let mut moment = loads.moment(self.problem.moments, time, &body_from_world, &vector(values, RATES));
         if let Some(model) = &self.model {
             moment += model.moment(time, &state(values)).in_body();
         }
-        let acceleration = loads.world_acceleration + body_from_world.tr_mul(&loads.body_acceleration);
+        let mut acceleration = loads.acceleration(time, &body_from_world);
+        for load in &loads.general {
+            let state = state(values);
+            moment += load.moment(time, &state);
+            if let (true, Some(mass)) = (self.problem.wants_translation, self.problem.mass) {
+                acceleration += load.force(time, &state) / mass;
+            }
+        }
         Push { moment, acceleration }
     }
 

@@ -9,6 +9,7 @@ mod error;
 mod exact;
 mod fixed_step;
 mod free;
+mod general;
 mod lagrange_top;
 mod precise;
 mod propagator;

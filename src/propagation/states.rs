@@ -9,6 +9,8 @@ pub struct States {
     pub position: [Vec<f64>; 3],
     /// Of the reference point, world axes, m/s.
     pub velocity: [Vec<f64>; 3],
+    /// Of a sphere inside the body relative to it, in principal axes, rad/s; empty without one.
+    pub inner: [Vec<f64>; 3],
 }
 
 impl States {

@@ -34,10 +34,13 @@ pub(crate) use plan::{MOST_BODIES, nudged};
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
-    BodySpec, BoxSpec, BrakeSpec, Checks, ConservedSpec, DampingSpec, DriftSpec, EllipsoidSpec, Extremum, ExtremumSpec,
-    FlipPeriodSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec, MeshSpec, Method, MomentSpec,
-    MontgomeryPhaseSpec, ObservedSpec, ParticleSpec, PeriodSpec, PivotSpec, PrecessionRateSpec, Provenance, RateSpec,
-    RoundSpec, Scenario, Setting, SolidSpecs, SphereSpec, StabilitySpec, TorqueSpecs, TorusSpec, ValueSpec, Verdict,
+    AfterTable, BDotSpec, BodySpec, BoxSpec, BrakeSpec, Checks, ConservedSpec, DampingSpec, DriftSpec, EllipsoidSpec,
+    Extremum, ExtremumSpec, FlipPeriodSpec, ForceFormulaSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec,
+    InnerSphereSpec, MagneticDipoleSpec, MeshSpec, Method, MomentSpec, MontgomeryPhaseSpec, ObservedSpec, ParticleSpec,
+    PeriodSpec, PivotSpec, PrecessionRateSpec, Provenance, QuadraticDampingSpec, QuadraticDragSpec,
+    QuaternionFeedbackSpec, RateFeedbackSpec, RateSpec, RotorSpec, RoundSpec, Scenario, Setting, SolidSpecs,
+    SphereSpec, SpringSpec, StabilitySpec, TableSpec, ThrusterSpec, TorqueFormulaSpec, TorqueSpecs, TorusSpec,
+    ValueSpec, Verdict,
 };
 #[cfg(feature = "schema")]
 pub use schema::schema;

@@ -11,7 +11,7 @@ impl PlannedBody {
     pub fn watching(mut self, channels: &[Channel]) -> Self {
         let is_free = self.problem.loads.is_empty();
         self.problem.wants_attitude = channels.iter().any(|channel| needs_attitude(&self.problem, *channel));
-        self.problem.wants_translation = wants_translation(self.moves, channels);
+        self.problem.wants_translation = wants_translation(&self.problem, self.moves, channels);
         self.channels = channels.to_vec();
         let mut skipped = Vec::new();
         let mut skip = |condition: bool, what: &str| {
@@ -84,9 +84,9 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
     }
 }
 
-/// Whether position and velocity are propagated for the sake of these channels.
-pub fn wants_translation(moves: bool, channels: &[Channel]) -> bool {
-    moves && channels.iter().any(|channel| needs_translation(*channel))
+/// Whether position and velocity are propagated, for the sake of these channels or of the loads.
+pub fn wants_translation(problem: &Problem, moves: bool, channels: &[Channel]) -> bool {
+    moves && (problem.looks_at_translation() || channels.iter().any(|channel| needs_translation(*channel)))
 }
 
 const fn needs_translation(channel: Channel) -> bool {

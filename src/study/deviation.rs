@@ -1,3 +1,4 @@
+use crate::dynamics::Problem;
 use crate::numerics::DoubleDouble;
 use crate::propagation::{PreciseState, States};
 use crate::scenario::PlannedBody;
@@ -7,7 +8,9 @@ type Vector = [DoubleDouble; 3];
 /// The largest differences between states in f64 and exact ones, so far.
 #[derive(Debug)]
 pub(super) struct Deviation {
-    moments: [f64; 3],
+    problem: Problem,
+    /// Body and rotors together may have no momentum at all.
+    largest_rotor_momentum: f64,
     attitude: f64,
     rates: Largest,
     momentum: Largest,
@@ -26,7 +29,8 @@ struct Largest {
 impl Deviation {
     pub fn new(body: &PlannedBody) -> Self {
         Self {
-            moments: body.problem.moments.vector().into(),
+            largest_rotor_momentum: body.problem.largest_rotor_momentum(),
+            problem: body.problem.clone(),
             attitude: 0.0,
             rates: Largest::default(),
             momentum: Largest::default(),
@@ -45,7 +49,10 @@ impl Deviation {
             let q = states.attitude.each_ref().map(|column| DoubleDouble::from(column[row]));
             measure = angle(exact.attitude, q);
             self.attitude = self.attitude.max(measure);
-            self.momentum.include(self.in_world(q, omega), self.in_world(exact.attitude, exact.angular_velocity));
+            let rotor = self.problem.rotor_momentum(time).into();
+            let exact = self.in_world(exact.attitude, exact.angular_velocity, rotor);
+            self.momentum.include(self.in_world(q, omega, rotor), exact);
+            self.momentum.size = self.momentum.size.max(self.largest_rotor_momentum);
         }
         if !states.position[0].is_empty() {
             let position = states.position.each_ref().map(|column| DoubleDouble::from(column[row]));
@@ -81,9 +88,10 @@ impl Deviation {
         self.worst_at
     }
 
-    /// R I ω as v + 2 q × (q × v + w v), which needs no unit norm beyond rounding.
-    fn in_world(&self, [w, x, y, z]: [DoubleDouble; 4], omega: Vector) -> Vector {
-        let v: Vector = std::array::from_fn(|i| omega[i] * self.moments[i]);
+    /// R (I ω + h) as v + 2 q × (q × v + w v), which needs no unit norm beyond rounding.
+    fn in_world(&self, [w, x, y, z]: [DoubleDouble; 4], omega: Vector, rotor: [f64; 3]) -> Vector {
+        let moments = self.problem.moments.vector();
+        let v: Vector = std::array::from_fn(|i| omega[i] * moments[i] + rotor[i].into());
         let axis = [x, y, z];
         let first = cross(axis, v);
         let second = cross(axis, std::array::from_fn(|i| first[i] + w * v[i]));

@@ -2,7 +2,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::{BodySamples, Channel, Encircled, EulerSequence, FigureAxis, FigureFrame, separatrix_distance};
 use crate::body::{AngularVelocity, Attitude, State};
-use crate::dynamics::{Kovalevskaya, MomentumLaw, Problem, momentum_in_world, rotational_energy, translational_energy};
+use crate::dynamics::{InnerSphere, Kovalevskaya, MomentumLaw, Problem, rotational_energy, translational_energy};
 use crate::propagation::States;
 
 /// Makes channels of states: turns principal axes back into body axes, and knows the laws whose drift is watched.
@@ -19,6 +19,8 @@ pub struct Derivation {
     initial_energy: f64,
     initial_energy_scale: f64,
     initial_momentum: Vector3<f64>,
+    sphere: Option<InnerSphere>,
+    largest_rotor_momentum: f64,
 }
 
 impl Derivation {
@@ -35,7 +37,9 @@ impl Derivation {
             kovalevskaya: Kovalevskaya::of(problem),
             initial_energy,
             initial_energy_scale,
-            initial_momentum: momentum_in_world(problem.moments, &problem.initial),
+            initial_momentum: initial_momentum(problem),
+            largest_rotor_momentum: problem.largest_rotor_momentum(),
+            sphere: problem.inner_sphere(),
             problem: problem.clone(),
         }
     }
@@ -48,6 +52,9 @@ impl Derivation {
             // Out of the samples meanwhile: some channels are made of others, or along with them.
             let mut columns: Vec<_> = columns.iter_mut().map(std::mem::take).collect();
             self.fill(channel, &batch, samples, &mut columns);
+            if let Some(sphere) = self.sphere {
+                self.add_sphere(sphere, channel, &batch, &mut columns);
+            }
             for (place, column) in samples.channel_mut(channel).into_iter().flatten().zip(columns) {
                 *place = column;
             }
@@ -58,7 +65,7 @@ impl Derivation {
     fn fill(&self, channel: Channel, batch: &Batch<'_>, samples: &mut BodySamples, columns: &mut [Vec<f64>]) {
         let (problem, states) = (&self.problem, batch.states);
         let to_body = |in_principal| self.body_from_principal.map_or(in_principal, |turn| turn * in_principal);
-        let moment = |time, state: &State| problem.moment(time, state);
+        let moment = |time, state: &State| problem.external_moment(time, state);
         match channel {
             Channel::Attitude => self.attitude(batch, columns),
             Channel::AngularVelocity if self.body_from_principal.is_none() => copy(&states.angular_velocity, columns),
@@ -67,11 +74,10 @@ impl Derivation {
                 batch.vectors(columns, |_, state| state.attitude.to_world(&state.angular_velocity.in_body()));
             }
             Channel::AngularMomentumWorld => {
-                batch.vectors(columns, |_, state| momentum_in_world(problem.moments, state));
+                batch.vectors(columns, |time, state| problem.momentum_in_world(time, state));
             }
             Channel::AngularMomentumBody => {
-                let momentum = |state: &State| state.angular_velocity.momentum(problem.moments).in_body();
-                batch.vectors(columns, |_, state| to_body(momentum(state)));
+                batch.vectors(columns, |time, state| to_body(problem.momentum_in_body(time, state)));
             }
             Channel::MomentBody => batch.vectors(columns, |time, state| to_body(moment(time, state))),
             Channel::MomentWorld => {
@@ -154,6 +160,25 @@ impl Derivation {
         });
     }
 
+    /// Adds what a sphere inside the body has of momentum and energy beyond turning with it.
+    fn add_sphere(&self, sphere: InnerSphere, channel: Channel, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
+        for index in 0..batch.times.len() {
+            let (state, inner) = (batch.state(index), batch.inner(index));
+            let momentum = sphere.momentum(&inner);
+            let added = match channel {
+                Channel::AngularMomentumWorld => state.attitude.to_world(&momentum),
+                Channel::AngularMomentumBody => self.body_from_principal.map_or(momentum, |turn| turn * momentum),
+                Channel::RotationalEnergy | Channel::KineticEnergy | Channel::TotalEnergy => {
+                    Vector3::repeat(sphere.energy(&state.angular_velocity.in_body(), &inner))
+                }
+                _ => return,
+            };
+            for (column, added) in columns.iter_mut().zip(&added) {
+                column[index] += added;
+            }
+        }
+    }
+
     fn attitude(&self, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
         let Some(body_from_principal) = self.body_from_principal else {
             return copy(&batch.states.attitude, columns);
@@ -199,7 +224,8 @@ impl Derivation {
     fn momentum_drifts(&self, batch: &Batch<'_>, samples: &BodySamples, columns: &mut [Vec<f64>]) {
         let Some(law) = &self.momentum_law else { return batch.scalars(columns, |_, _, _| 0.0) };
         let initial = &self.initial_momentum;
-        let initial_norm = initial.norm();
+        // Body and rotors together may have no momentum at all.
+        let initial_norm = initial.norm().max(self.largest_rotor_momentum);
         let drift = |time, momentum: &Vector3<f64>| {
             parts_per_1e15(law.violation(time, initial, momentum), initial_norm.max(momentum.norm()))
         };
@@ -208,7 +234,12 @@ impl Derivation {
                 let momentum = |index: usize| Vector3::new(x[index], y[index], z[index]);
                 batch.scalars(columns, |index, time, _| drift(time, &momentum(index)));
             }
-            _ => batch.scalars(columns, |_, time, state| drift(time, &momentum_in_world(self.problem.moments, state))),
+            _ => batch.scalars(columns, |index, time, state| {
+                let momentum = self.problem.momentum_in_world(time, state);
+                let whole =
+                    self.sphere.map(|sphere| momentum + state.attitude.to_world(&sphere.momentum(&batch.inner(index))));
+                drift(time, &whole.unwrap_or(momentum))
+            }),
         }
     }
 
@@ -224,6 +255,13 @@ impl Derivation {
             parts_per_1e15(omega.cross(&touching).norm(), omega.norm() * touching.norm())
         });
     }
+}
+
+/// R (I ω + h + J σ) at t = 0.
+fn initial_momentum(problem: &Problem) -> Vector3<f64> {
+    let momentum = problem.momentum_in_world(0.0, &problem.initial);
+    let of_sphere = |sphere: InnerSphere| problem.initial.attitude.to_world(&sphere.momentum(&sphere.initial));
+    problem.inner_sphere().map_or(momentum, |sphere| momentum + of_sphere(sphere))
 }
 
 /// The states of a batch, one at a time. What was not propagated stays as it was at t = 0: it is constant, or no channel
@@ -246,6 +284,11 @@ impl Batch<'_> {
             position: vector(&self.states.position, &self.initial.position),
             velocity: vector(&self.states.velocity, &self.initial.velocity),
         }
+    }
+
+    /// σ of a sphere inside the body, in principal axes.
+    fn inner(&self, index: usize) -> Vector3<f64> {
+        Vector3::from_fn(|row, _| self.states.inner[row].get(index).copied().unwrap_or_default())
     }
 
     /// World from principal; the identity where no attitude was propagated, as then no channel looks at it.

@@ -8,6 +8,8 @@ use crate::dynamics::{Problem, Torque, radial_direction};
 /// * A body that nothing acts on and that has two equal moments: its axis of symmetry, and L.
 /// * A top, of two equal moments, held on its axis of symmetry under a steady force: the axis from the pivot to where the
 ///   force acts, and up (against the force).
+/// * A body of two equal moments whose magnetic dipole is on its axis of symmetry, in a steady field: the axis towards the
+///   dipole's north, and the field.
 /// * A body in a gravity gradient: its axis of the least moment, and the local vertical, away from the attracting centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FigureAxis {
@@ -22,7 +24,7 @@ pub struct FigureAxis {
 enum Reference {
     /// L.
     Momentum,
-    /// Unit, world axes.
+    /// Against the weight, or along the field; unit, world axes.
     Up(Vector3<f64>),
     /// Of an orbit with this mean motion, rad/s.
     Vertical(f64),
@@ -44,13 +46,17 @@ impl FigureAxis {
                     let axis = symmetry.filter(|axis| others(*axis).iter().all(|other| arm[*other] == 0.0))?;
                     (axis, 1.0_f64.copysign(arm[axis]), Reference::Up(-force.try_normalize(0.0)?))
                 }
+                Torque::MagneticDipole { dipole, field } => {
+                    let axis = symmetry.filter(|axis| others(*axis).iter().all(|other| dipole[*other] == 0.0))?;
+                    (axis, 1.0_f64.copysign(dipole[axis]), Reference::Up(field.try_normalize(0.0)?))
+                }
                 Torque::GravityGradient { mean_motion } => (moments.imin(), 1.0, Reference::Vertical(mean_motion)),
                 _ => return None,
             },
             _ => return None,
         };
         let figure = Self { axis, sign, reference };
-        // Of a top the force says which end is up; of the others the end is taken that leans less at first.
+        // Of a top the force says which end is up, of a magnet its north; of the others the end is taken that leans less at first.
         let along = figure.in_body(problem, 0.0, &problem.initial)[axis];
         let turned = !matches!(reference, Reference::Up(_)) && along < 0.0;
         Some(Self { sign: if turned { -sign } else { sign }, ..figure })

@@ -142,7 +142,7 @@ fn torques_in_the_world_along_the_spin_agree_with_taylor() {
 fn windows_are_left_to_steppers() {
     let window = Window { start: 1.0, end: 2.0 };
     for torque in [Torque::MomentumBrake { rate: 0.1 }, Torque::ConstantBody { moment: Vector3::z() }] {
-        let mut problem = problem(MOMENTS, [0.0, 0.0, 1.0], &[torque]);
+        let mut problem = problem(MOMENTS, [0.0, 0.0, 1.0], std::slice::from_ref(&torque));
         problem.loads = vec![Load { torque, window }];
         assert!(!BrakedRotation::covers(&problem) && !AxialTorque::covers(&problem));
         assert!(BrakedRotation::new(&problem).is_err() && AxialTorque::new(&problem).is_err());

@@ -240,6 +240,11 @@ fn a_scene_that_is_refused_stops_no_data() {
             "duration_s = 1\nsample_every_s = 1\n[[body]]\n[body.mesh]\nfile = \"../box.stl\"\ndensity_kg_m3 = 1.0\n",
             "its mesh ../box.stl is not beside the recording",
         ),
+        (
+            "duration_s = 1\nsample_every_s = 1\n[[body]]\nprincipal_moments_kg_m2 = [1, 2, 2.5]\n\
+             [[body.torque.table]]\nframe = \"body\"\nfile = \"/etc/table.csv\"\n",
+            "its table /etc/table.csv is not beside the recording",
+        ),
     ] {
         plan.text = text.into();
         let inside = tempdir().expect("a folder");

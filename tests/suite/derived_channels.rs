@@ -303,7 +303,7 @@ fn the_jacobi_integral_stays_on_an_orbit() {
     let gradient = Torque::GravityGradient { mean_motion: 0.8 };
     let channels = [Channel::TotalEnergy, Channel::JacobiIntegral];
     // The total energy counts the flight as well.
-    let mut orbit = problem(MOMENTS, RATES, &[gradient]);
+    let mut orbit = problem(MOMENTS, RATES, &[gradient.clone()]);
     orbit.initial.velocity = Vector3::zeros();
     let times = grid(30.0, 60);
     let found = columns(&orbit, Taylor::new(&orbit, 1e-16).expect("covered"), &channels, &times);
@@ -311,10 +311,10 @@ fn the_jacobi_integral_stays_on_an_orbit() {
     assert!(spread(jacobi) < 2e-14, "{:e}", spread(jacobi));
     let off = total.iter().zip(jacobi).fold(0.0, |off: f64, (total, jacobi)| off.max((total - jacobi).abs()));
     assert!(off < 1e-14, "{off:e}");
-    let damped = problem(MOMENTS, RATES, &[gradient, Torque::LinearDamping { coefficient: 0.1 }]);
+    let damped = problem(MOMENTS, RATES, &[gradient.clone(), Torque::LinearDamping { coefficient: 0.1 }]);
     assert!(damped.energy_law().is_none());
     assert!(damped.jacobi_integral(0.0, &damped.initial).is_some());
-    assert!(problem(MOMENTS, RATES, &[gradient, gradient]).jacobi_integral(0.0, &orbit.initial).is_none());
+    assert!(problem(MOMENTS, RATES, &[gradient.clone(), gradient]).jacobi_integral(0.0, &orbit.initial).is_none());
 }
 
 /// Whichever principal axis is the third, and wherever across it the centre of mass lies.

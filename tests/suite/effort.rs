@@ -1,7 +1,7 @@
 //! What runs cost, exactly: a change of cost is seen in review.
 
 use nalgebra::Vector3;
-use polhode::dynamics::{Load, Problem, Torque, Window};
+use polhode::dynamics::{Problem, Torque, Window};
 use polhode::propagation::{
     AxialTorque, BrakedRotation, Coverage, Dop853, Effort, FixedStep, FixedStepMethod, FreeRotation, LagrangeTop,
     Propagator, States, Taylor,
@@ -24,7 +24,7 @@ fn under(name: &str) -> Problem {
 
 fn pulsed() -> Problem {
     let mut problem = under("constant body");
-    problem.loads[0] = Load { window: Window { start: 2.3, end: 4.1 }, ..problem.loads[0] };
+    problem.loads[0].window = Window { start: 2.3, end: 4.1 };
     problem
 }
 

@@ -38,6 +38,9 @@ mod foreign_messages;
 mod foreign_tables;
 mod free_laws;
 mod full_disks;
+mod functions_of_time;
+#[cfg(feature = "serde")]
+mod general_loads;
 #[cfg(feature = "cli")]
 mod golden;
 #[cfg(feature = "golden")]
@@ -85,6 +88,7 @@ mod scene_checks;
 #[cfg(feature = "schema")]
 mod scene_schema;
 mod stress;
+mod tapes;
 mod torque_laws;
 mod trajectories;
 #[cfg(feature = "serde")]

@@ -1,8 +1,10 @@
 //! Problems and runs that several tests share.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 use polhode::body::{AngularVelocity, Attitude, PrincipalMoments, State};
-use polhode::dynamics::{Load, Problem, Torque, Window};
+use polhode::dynamics::{Interpolation, Load, Problem, Profile, Torque, Window};
 use polhode::propagation::{Propagator, States};
 
 /// The body of most tests, kg m².
@@ -23,11 +25,24 @@ pub fn problem(moments: [f64; 3], rates: [f64; 3], torques: &[Torque]) -> Proble
             position: Vector3::new(1.0, -2.0, 0.5),
             velocity: Vector3::new(0.1, 0.2, -0.3),
         },
-        loads: torques.iter().map(|torque| Load { torque: *torque, window: Window::ALWAYS }).collect(),
+        loads: torques.iter().map(|torque| Load { torque: torque.clone(), window: Window::ALWAYS }).collect(),
         gravity: Vector3::zeros(),
         wants_attitude: true,
         wants_translation: false,
     }
+}
+
+/// A cubic spline, smooth until its knot at 7.5 s.
+pub fn profile(size: f64) -> Arc<Profile> {
+    let vector = |x, y, z| size * Vector3::new(x, y, z);
+    let points = [
+        (-7.5, vector(0.2, 0.3, -0.1)),
+        (-0.5, vector(-0.3, 0.1, 0.4)),
+        (7.5, vector(0.5, -0.2, 0.1)),
+        (15.5, vector(-0.1, 0.2, 0.2)),
+    ];
+    let after = vector(-0.1, 0.2, 0.2);
+    Arc::new(Profile::through(&points, Interpolation::Cubic, [Vector3::zeros(), after]).expect("ascending times"))
 }
 
 /// One torque of every kind, by name.
@@ -41,6 +56,15 @@ pub fn every_torque() -> Vec<(&'static str, Torque)> {
         ("force body", Torque::ForceBody { force: Vector3::new(1.0, 0.5, -0.7), arm }),
         ("force world", Torque::ForceWorld { force: Vector3::new(-0.4, 0.9, -1.6), arm }),
         ("gravity gradient", Torque::GravityGradient { mean_motion: 0.8 }),
+        ("profile body", Torque::ProfileBody { moment: profile(1.0) }),
+        ("profile world", Torque::ProfileWorld { moment: profile(1.0) }),
+        ("force profile body", Torque::ForceProfileBody { force: profile(3.0), arm }),
+        ("force profile world", Torque::ForceProfileWorld { force: profile(3.0), arm }),
+        ("rotor", Torque::Rotor { momentum: profile(1.0) }),
+        (
+            "magnetic dipole",
+            Torque::MagneticDipole { dipole: Vector3::new(0.3, -0.4, 0.2), field: Vector3::new(0.2, -0.1, -0.15) },
+        ),
     ]
 }
 

@@ -47,14 +47,16 @@ fn run(body: &PlannedBody, grid: &Grid, exact: &States) -> (f64, Effort) {
 /// Under each kind of torque, short and long, tumbling, near the middle axis, and with a window.
 fn problems() -> Vec<(String, Problem, f64)> {
     let mut problems = Vec::new();
-    for ((name, torque), end) in every_torque().into_iter().zip([7.0, 9.0, 11.0, 13.0, 15.0, 17.0, 19.0]) {
+    // Of those that act alike all the time.
+    let steady = every_torque().into_iter().filter(|(_, torque)| torque.profile().is_none());
+    for ((name, torque), end) in steady.zip([7.0, 9.0, 11.0, 13.0, 15.0, 17.0, 19.0, 21.0]) {
         let near = [1e-3, 2.0, -7e-4];
         let pulse = Window { start: 1.37, end: 5.91 };
         let cases = [("tumbling", RATES, 60.0, Window::ALWAYS), ("near the middle axis", near, 14.0, Window::ALWAYS)];
         let pulsed = ("pulsed", RATES, end, pulse);
         for (motion, rates, end, window) in cases.into_iter().chain([pulsed]) {
             let mut problem = problem(MOMENTS, rates, &[]);
-            problem.loads = vec![Load { torque, window }];
+            problem.loads = vec![Load { torque: torque.clone(), window }];
             problems.push((format!("{name}, {motion}, {end} s"), problem, end));
         }
     }
@@ -105,7 +107,7 @@ fn promises_are_kept_at_a_cost_near_the_least() {
 
 #[test]
 fn what_f64_cannot_keep_is_refused_and_a_stepper_that_was_asked_for_says_so() {
-    let (_, torque) = every_torque()[0];
+    let (_, torque) = every_torque().swap_remove(0);
     let body = body(problem(MOMENTS, [1e-3, 2.0, -7e-4], &[torque]));
     let grid = grid(200.0);
     let message = body.clone().keeping(Method::Auto, 3e-15, &grid).expect_err("beyond f64").to_string();
@@ -119,7 +121,7 @@ fn what_f64_cannot_keep_is_refused_and_a_stepper_that_was_asked_for_says_so() {
 
 #[test]
 fn a_run_too_long_to_be_tried_says_how_far_it_was() {
-    let (_, torque) = every_torque()[0];
+    let (_, torque) = every_torque().swap_remove(0);
     let body = body(problem(MOMENTS, RATES, &[torque]));
     let long = Grid::Uniform { every_s: 1e5, count: 10_001 };
     let reason = body.keeping(Method::Taylor, 1e-3, &long).expect("a yardstick").reason;

@@ -6,7 +6,7 @@ use polhode::dynamics::{
     Load, Problem, Torque, Window, jacobi_integral, momentum_in_world, potential_energy, rotational_energy,
     translational_energy,
 };
-use polhode::propagation::{Effort, PropagationError, Propagator, States, Taylor};
+use polhode::propagation::{Effort, LagrangeTop, PropagationError, Propagator, States, Taylor};
 
 use crate::motions::{MOMENTS, RATES, differences, every_torque, grid, problem, row, run, state};
 
@@ -109,7 +109,7 @@ fn axial_torque_makes_a_chirp() {
 #[test]
 fn heavy_top_keeps_energy_and_two_momenta() {
     let weight = Torque::ForceWorld { force: Vector3::new(0.0, 0.0, -4.905), arm: Vector3::new(0.0, 0.0, 0.04) };
-    let problem = problem([0.002, 0.002, 0.0012], [0.0, -2.0, 60.0], &[weight]);
+    let problem = problem([0.002, 0.002, 0.0012], [0.0, -2.0, 60.0], std::slice::from_ref(&weight));
     let times = grid(5.0, 50);
     let states = run(taylor(&problem), &times);
     let laws = |time: f64, state: &State| {
@@ -132,6 +132,52 @@ fn heavy_top_keeps_energy_and_two_momenta() {
     }
 }
 
+/// τ = m × B is normal to both: no work but what the potential −m·B gives back, no momentum along B.
+#[test]
+fn dipole_in_a_field_keeps_energy_and_the_momentum_along_the_field() {
+    let (dipole, field) = (Vector3::new(0.3, -0.4, 0.2), Vector3::new(0.5, 0.2, -0.9));
+    let mut problem = problem(MOMENTS, RATES, &[Torque::MagneticDipole { dipole, field }]);
+    // Nothing but the rotation.
+    problem.mass = None;
+    let times = grid(60.0, 50);
+    let states = run(taylor(&problem), &times);
+    let law = problem.momentum_law().expect("along the field");
+    assert_near(law.axis.expect("one component").dot(&field), field.norm(), 1e-15);
+    let laws = |state: &State| {
+        let energy = rotational_energy(problem.moments, state) - dipole.dot(&state.attitude.to_body(&field));
+        [energy, momentum(&problem, state).dot(&field)]
+    };
+    let start = laws(&problem.initial);
+    assert_near(problem.total_energy(0.0, &problem.initial).0, start[0], 1e-15);
+    for i in 0..times.len() {
+        for (found, expected) in laws(&state(&states, i)).into_iter().zip(start) {
+            assert_near(found, expected, ROUNDING);
+        }
+    }
+}
+
+/// A needle across the field in a plane: the period of the pendulum, 4 K(sin ½θ₀) √(I/mB), here for 90°.
+#[test]
+fn compass_needle_swings_as_a_pendulum() {
+    let needle = Torque::MagneticDipole { dipole: Vector3::z() * 0.5, field: Vector3::z() * 0.25 };
+    let mut problem = problem([2.0, 2.0, 0.1], [0.0; 3], &[needle]);
+    let turn = std::f64::consts::FRAC_1_SQRT_2;
+    problem.initial.attitude = Attitude::new([turn, turn, 0.0, 0.0]).expect("a unit quaternion");
+    assert!(LagrangeTop::covers(&problem));
+    // K(m = ½) = 1.8540746773013719, [DLMF] §19.
+    let period = 4.0 * 1.854_074_677_301_371_9 * 4.0;
+    let times = [0.25 * period, 0.5 * period, period];
+    for states in [run(taylor(&problem), &times), run(LagrangeTop::new(&problem).expect("a top"), &times)] {
+        let across = |i: usize| state(&states, i).attitude.to_world(&Vector3::z());
+        assert!((across(0) - Vector3::z()).norm() < 1e-13, "{}", across(0));
+        assert!((across(1) - Vector3::y()).norm() < 1e-13, "{}", across(1));
+        assert!((across(2) + Vector3::y()).norm() < 1e-13, "{}", across(2));
+        // At the bottom all of the potential energy: I ω² / 2 = m B.
+        let fastest = row(&states.angular_velocity, 0)[0].abs();
+        assert_near(fastest, libm::sqrt(2.0 * 0.125 / 2.0), 1e-15);
+    }
+}
+
 #[test]
 fn gravity_gradient_keeps_the_jacobi_integral() {
     let n = 0.0011;
@@ -148,7 +194,7 @@ fn gravity_gradient_keeps_the_jacobi_integral() {
 fn force_in_the_world_keeps_energy_and_makes_a_parabola() {
     let force = Vector3::new(0.5, 0.2, -0.4);
     let torque = Torque::ForceWorld { force, arm: Vector3::new(0.3, -0.1, 0.2) };
-    let mut problem = problem(MOMENTS, RATES, &[torque]);
+    let mut problem = problem(MOMENTS, RATES, std::slice::from_ref(&torque));
     problem.wants_translation = true;
     let times = grid(20.0, 20);
     let states = run(taylor(&problem), &times);
@@ -190,7 +236,7 @@ fn thruster_pushes_along_the_body() {
 fn recurrences_agree_with_the_formulae() {
     const SHORT: f64 = 1e-7;
     for (name, torque) in every_torque() {
-        let problem = problem(MOMENTS, RATES, &[torque]);
+        let problem = problem(MOMENTS, RATES, std::slice::from_ref(&torque));
         let states = run(taylor(&problem), &[SHORT]);
         let omega = Vector3::from(RATES);
         let inertia = problem.moments.vector();
@@ -226,8 +272,8 @@ fn how_the_times_are_dealt_out_changes_no_bit() {
 #[test]
 fn starting_again_from_a_later_state_gives_the_same_motion() {
     for (name, torque) in every_torque() {
-        // The gravity gradient knows what time it is.
-        if matches!(torque, Torque::GravityGradient { .. }) {
+        // The gravity gradient knows what time it is, and so do functions of time.
+        if matches!(torque, Torque::GravityGradient { .. }) || torque.profile().is_some() {
             continue;
         }
         let whole = problem(MOMENTS, RATES, &[torque]);
@@ -244,7 +290,7 @@ fn a_window_is_the_sum_of_its_halves() {
         let mut whole = problem(MOMENTS, RATES, &[torque]);
         whole.loads[0].window = Window { start: 1.1, end: 5.3 };
         let mut halves = whole.clone();
-        halves.loads.push(halves.loads[0]);
+        halves.loads.push(halves.loads[0].clone());
         halves.loads[0].window.end = 2.7;
         halves.loads[1].window.start = 2.7;
         let times = grid(8.0, 32);
@@ -327,7 +373,7 @@ fn next_to_rest_is_no_special_case() {
 
 #[test]
 fn rates_alone_need_no_attitude() {
-    let torques = [every_torque()[0].1, every_torque()[2].1];
+    let torques = [every_torque()[0].1.clone(), every_torque()[2].1.clone()];
     let mut problem = problem(MOMENTS, RATES, &torques);
     let times = grid(10.0, 20);
     let with = run(taylor(&problem), &times);

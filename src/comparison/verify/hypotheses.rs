@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::cause::{Cause, Finding};
 use super::inertia::InertiaFit;
@@ -13,7 +13,7 @@ use super::series::{Series, rms};
 use super::subject::Subject;
 use super::{templates, unexplained};
 use crate::body::{MassProperties, PrincipalMoments};
-use crate::dynamics::{Load, Problem, Torque};
+use crate::dynamics::{Load, Problem, Profile, Torque};
 use crate::propagation::PropagationError;
 use crate::recording::Axes;
 use crate::scenario::PlannedBody;
@@ -145,7 +145,8 @@ fn other_bodies(subject: &Subject, series: &Series) -> Vec<(Cause, PlannedBody, 
         all.extend(fitted(body, series));
         return all;
     }
-    let swapped = |load: &Load| Load { torque: swapped(load.torque, body.properties.body_from_principal), ..*load };
+    let swapped =
+        |load: &Load| Load { torque: swapped(&load.torque, body.properties.body_from_principal), ..load.clone() };
     let changes: [(Cause, Vec<Load>, &str); 3] = [
         (
             Cause::TorqueInWrongFrame,
@@ -181,26 +182,40 @@ fn with_inertia(body: &PlannedBody, properties: MassProperties) -> PlannedBody {
 }
 
 /// The numbers given for one frame taken in the other.
-fn swapped(torque: Torque, body_from_principal: UnitQuaternion<f64>) -> Torque {
+fn swapped(torque: &Torque, body_from_principal: UnitQuaternion<f64>) -> Torque {
     let (out, back) = (body_from_principal, body_from_principal.inverse());
-    match torque {
+    let by = |turn: UnitQuaternion<f64>, profile: &Profile| {
+        Arc::new(profile.transformed(turn.to_rotation_matrix().matrix()))
+    };
+    match *torque {
+        Torque::ProfileBody { ref moment } => Torque::ProfileWorld { moment: by(out, moment) },
+        Torque::ProfileWorld { ref moment } => Torque::ProfileBody { moment: by(back, moment) },
+        Torque::ForceProfileBody { ref force, arm } => Torque::ForceProfileWorld { force: by(out, force), arm },
+        Torque::ForceProfileWorld { ref force, arm } => Torque::ForceProfileBody { force: by(back, force), arm },
         Torque::ConstantBody { moment } => Torque::ConstantWorld { moment: out * moment },
         Torque::ConstantWorld { moment } => Torque::ConstantBody { moment: back * moment },
         Torque::ForceBody { force, arm } => Torque::ForceWorld { force: out * force, arm },
         Torque::ForceWorld { force, arm } => Torque::ForceBody { force: back * force, arm },
-        other => other,
+        ref other => other.clone(),
     }
 }
 
 fn reversed(load: &Load) -> Load {
-    let torque = match load.torque {
+    let torque = match load.torque.clone() {
         Torque::ConstantBody { moment } => Torque::ConstantBody { moment: -moment },
         Torque::ConstantWorld { moment } => Torque::ConstantWorld { moment: -moment },
         Torque::ForceBody { force, arm } => Torque::ForceBody { force: -force, arm },
         Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: -force, arm },
-        other => other,
+        Torque::MagneticDipole { dipole, field } => Torque::MagneticDipole { dipole: -dipole, field },
+        ref other => {
+            let mut other = other.clone();
+            if let Some(profile) = other.profile_mut() {
+                *profile = Arc::new(profile.transformed(&-Matrix3::identity()));
+            }
+            other
+        }
     };
-    Load { torque, ..*load }
+    Load { torque, window: load.window }
 }
 
 /// |ω| at its largest again and again, where it should have gone beyond.

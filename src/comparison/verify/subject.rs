@@ -118,9 +118,18 @@ impl<'a> Subject<'a> {
         let world_from_turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
         for load in &mut problem.loads {
             load.window = Window { start: load.window.start - time, end: load.window.end - time };
+            if let Some(profile) = load.torque.profile_mut() {
+                *profile = Arc::new(profile.earlier_by(time));
+            }
+            let back = world_from_turned.inverse();
             match &mut load.torque {
+                Torque::ProfileWorld { moment: vector } | Torque::ForceProfileWorld { force: vector, .. } => {
+                    *vector = Arc::new(vector.transformed(back.to_rotation_matrix().matrix()));
+                }
                 Torque::ConstantWorld { moment } => *moment = world_from_turned.inverse() * *moment,
-                Torque::ForceWorld { force, .. } => *force = world_from_turned.inverse() * *force,
+                Torque::MagneticDipole { field: force, .. } | Torque::ForceWorld { force, .. } => {
+                    *force = world_from_turned.inverse() * *force;
+                }
                 _ => {}
             }
         }

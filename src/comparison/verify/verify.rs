@@ -49,6 +49,7 @@ pub const DEFAULT_TOLERANCE_RAD: f64 = 1e-3;
 /// Without a body only what attitude and ω say of each other is judged. With one, whose problem's first state is not
 /// looked at, ω, L and E are held to its torques from sample to sample, and attitudes to the exact motion through the
 /// first state, within `tolerance_rad`. Of a body on which nothing acts, the moment that the file records is taken to act.
+/// A body under a [`General`](crate::dynamics::General) load is judged as if none were given, and a remark says so.
 /// `time_resolution_s` is half a unit in the last place of the file's times.
 ///
 /// # Errors
@@ -59,6 +60,9 @@ pub fn verify(
     time_resolution_s: f64,
     tolerance_rad: f64,
 ) -> Result<Verification, VerifyError> {
+    // A formula of time, an anchor in the world, a sphere that turns by itself: no sample says all that is needed to go on.
+    let is_general = body.is_some_and(|body| body.problem.is_general());
+    let body = body.filter(|_| !is_general);
     let (clock, used) = Clock::of(observed, time_resolution_s);
     let name = || observed.name.clone();
     let length = Length::of(observed);
@@ -124,5 +128,9 @@ pub fn verify(
         )?;
     }
     judge::judge(&mut verification, observed, &series, of_rates);
+    if is_general {
+        let remark = "loads by a formula, of a spring, in a fluid or of a controller are not held to: only q against ω is judged";
+        verification.remarks.push(remark.to_owned());
+    }
     Ok(verification)
 }

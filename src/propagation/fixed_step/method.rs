@@ -71,7 +71,7 @@ pub struct Information {
 pub enum Coverage {
     /// Every load, and a [`TorqueModel`](crate::dynamics::TorqueModel) of the caller's own.
     Everything,
-    /// Every [`Torque`](crate::dynamics::Torque).
+    /// Every [`Torque`](crate::dynamics::Torque) but a rotor, whose moment grows with ω across it.
     ListedLoads,
     /// Nothing but uniform gravity.
     TorqueFree,

@@ -57,8 +57,11 @@ impl FixedStep {
             Coverage::TorqueFree if !problem.loads.is_empty() || model.is_some() => {
                 return Err(not_covered("nothing may act on the body"));
             }
-            Coverage::ListedLoads if model.is_some() => {
-                return Err(not_covered("it knows the flow of the listed loads only, not of a model"));
+            Coverage::ListedLoads if problem.has_rotor() => {
+                return Err(not_covered("it knows no flow of a body that carries a rotor"));
+            }
+            Coverage::ListedLoads if model.is_some() || problem.is_general() => {
+                return Err(not_covered("it knows the flow of constants, couples, damping and functions of time only"));
             }
             _ => {}
         }

@@ -10,7 +10,8 @@ use crate::propagation::exact::{ExactQuaternion, Motion, fill_columns};
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, FreeRotation, PropagationError, Propagator, States};
 
-/// The motion of a symmetric top under a force constant in the world, exactly: any tilt, spin and time.
+/// The motion of a symmetric top under a force constant in the world, exactly: any tilt, spin and time. A magnet along
+/// the axis of symmetry of a body in a uniform field is one too: the dipole is the arm, the field the force.
 ///
 /// Inputs are taken as exact, the quaternion normalised beyond its last bit. Attitudes are within 2e-15 rad at any time;
 /// near an upright axis, where the motion hangs on the last bits of the start, within ten roundings of the inputs. The
@@ -34,12 +35,18 @@ enum Branch {
     Homoclinic(TopMotion<Homoclinic>),
 }
 
-/// A top's force in world axes, the principal axis that carries its arm, and the arm in m with its sign.
+/// A top's force in world axes, the principal axis that carries its arm, and the arm with its sign; N and m, or T and A m².
 type Weight = ([f64; 3], usize, f64);
 
 /// The weight of a top, if the problem is one.
 fn weight(problem: &Problem) -> Option<Weight> {
-    let [Load { torque: Torque::ForceWorld { force, arm }, window }] = problem.loads.as_slice() else {
+    let [
+        Load {
+            torque: Torque::ForceWorld { force, arm } | Torque::MagneticDipole { dipole: arm, field: force },
+            window,
+        },
+    ] = problem.loads.as_slice()
+    else {
         return None;
     };
     if window.start > 0.0 || window.end < f64::INFINITY || problem.wants_translation {
@@ -55,8 +62,8 @@ fn weight(problem: &Problem) -> Option<Weight> {
 }
 
 impl LagrangeTop {
-    /// Whether the problem is a Lagrange top: one force constant in the world that acts always, its arm along a
-    /// principal axis, the two moments about the others equal in every bit, no translation asked for, and no number so
+    /// Whether the problem is a Lagrange top: one force constant in the world, or one dipole in a field, that acts
+    /// always, its arm along a principal axis, the two moments about the others equal in every bit, no translation asked for, and no number so
     /// far from the others that constants overflow.
     #[must_use]
     pub fn covers(problem: &Problem) -> bool {
@@ -71,7 +78,7 @@ impl LagrangeTop {
     pub fn new(problem: &Problem) -> Result<Self, PropagationError> {
         let refuse = |rule| PropagationError::NotCovered { method: "the closed form of the Lagrange top", rule };
         let (force, axis, arm) = weight(problem).ok_or_else(|| {
-            refuse("it needs one force constant in the world on a principal axis, equal moments about the others")
+            refuse("it needs one force or field constant in the world, its arm or dipole on a principal axis, equal moments about the others")
         })?;
         let attitude = ExactQuaternion::along(problem.initial.attitude.wxyz());
         let omega = problem.initial.angular_velocity.in_body().into();

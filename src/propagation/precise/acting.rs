@@ -1,5 +1,6 @@
 use nalgebra::Vector3;
 
+use super::drive::{Drive, Driver};
 use crate::dynamics::{Problem, Torque};
 use crate::numerics::DoubleDouble;
 
@@ -24,6 +25,11 @@ pub(super) struct Acting {
     pub world_acceleration: Vector,
     /// Whether any of this needs the rotation matrix.
     pub needs_matrix: bool,
+    /// What changes with time.
+    drivers: Vec<Driver>,
+    inertia: Vector,
+    /// Of a body whose translation is wanted.
+    mass: Option<DoubleDouble>,
 }
 
 const ZERO: Vector = [DoubleDouble::ZERO; 3];
@@ -43,9 +49,13 @@ impl Acting {
             body_acceleration: ZERO,
             world_acceleration: ZERO,
             needs_matrix: false,
+            drivers: Vec::new(),
+            inertia,
+            mass: problem.mass.filter(|_| problem.wants_translation).map(DoubleDouble::from),
         };
         for load in problem.loads.iter().filter(|load| load.window.contains(time)) {
             sum.add(&load.torque, &inertia);
+            sum.drivers.extend(Driver::of(&load.torque, time));
         }
         let mass = DoubleDouble::from(problem.mass.unwrap_or(1.0));
         let wanted = |force: Vector| if problem.wants_translation { force.map(|f| f / mass) } else { ZERO };
@@ -62,13 +72,26 @@ impl Acting {
             }
         }
         sum.needs_matrix = sum.gradient.is_some()
+            || sum.drivers.iter().any(|driver| driver.needs_matrix(problem.wants_translation))
             || sum.couples.iter().flatten().chain([&sum.body_acceleration]).flatten().any(|value| !value.is_zero());
         sum
+    }
+
+    /// What changes with time, about `time`, for a series in `unit` seconds.
+    pub fn drive(&self, time: DoubleDouble, unit: f64) -> Option<Drive> {
+        let is_driven = !self.drivers.is_empty();
+        is_driven.then(|| Drive::new(&self.drivers, self.inertia, self.mass, time, unit))
     }
 
     /// Moments and forces, not yet divided by moments of inertia and mass.
     fn add(&mut self, torque: &Torque, inertia: &Vector) {
         match *torque {
+            // Drivers.
+            Torque::ProfileBody { .. }
+            | Torque::ProfileWorld { .. }
+            | Torque::ForceProfileBody { .. }
+            | Torque::ForceProfileWorld { .. }
+            | Torque::Rotor { .. } => {}
             Torque::ConstantBody { moment } => add(&mut self.moment, moment),
             Torque::LinearDamping { coefficient } => add(&mut self.damping, Vector3::repeat(coefficient)),
             Torque::MomentumBrake { rate } => {
@@ -88,12 +111,15 @@ impl Acting {
                 self.add_couple(force, &arm.cross_matrix());
                 add(&mut self.world_acceleration, force);
             }
+            Torque::MagneticDipole { dipole, field } => self.add_couple(field, &dipole.cross_matrix()),
             Torque::GravityGradient { mean_motion } => {
                 let strength = DoubleDouble::product(mean_motion, mean_motion) * -3.0;
                 let before = self.gradient.map_or(ZERO, |(factors, _)| factors);
                 let factors = std::array::from_fn(|i| before[i] + self.coupling[i] * strength);
                 self.gradient = Some((factors, mean_motion));
             }
+            // A problem with one goes by the general path, and not this way.
+            Torque::General(_) => {}
         }
     }
 

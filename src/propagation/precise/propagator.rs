@@ -1,20 +1,20 @@
+use super::PreciseTaylor;
 use super::acting::Acting;
 use super::series::{ORDER, Series, exact};
 use super::state::PreciseState;
-use crate::dynamics::{Problem, Schedule};
+use crate::dynamics::{DynamicsError, Problem, Schedule};
 use crate::numerics::DoubleDouble;
-use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError};
 
-/// Motion under any loads to about 30 digits, by Taylor series in double-double: the measure of other propagators.
-///
-/// Every number of the problem is taken as the exact value of its f64; the first quaternion is normalised in
-/// double-double. Steps end exactly on the edges of windows. Hundreds of times the cost of [`Taylor`](super::super::Taylor).
+/// Motion under loads whose equations are bilinear: see [`PreciseTaylor`].
 #[derive(Debug, Clone)]
-pub struct PreciseTaylor {
-    /// What acts from one edge to the next, and that edge, s.
-    spans: Vec<(Acting, f64)>,
+pub(super) struct PreciseBilinear {
+    problem: Problem,
+    schedule: Schedule,
+    /// The current span's number, what acts in it, and its end, s.
     current: usize,
+    acting: Acting,
+    edge: f64,
     series: Series,
     /// Of the series, s: a power of two.
     unit: f64,
@@ -23,15 +23,11 @@ pub struct PreciseTaylor {
     /// Where the step ends, s, and the state there.
     end: DoubleDouble,
     state: PreciseState,
-    latest: f64,
     tolerance: f64,
-    most_steps: u64,
     effort: Effort,
 }
 
-impl PreciseTaylor {
-    /// Largest last terms of a series, relative, if nothing else is asked for.
-    pub const TOLERANCE: f64 = 1e-32;
+impl PreciseBilinear {
     /// The longest step, s.
     const LONGEST_STEP: f64 = 1e100;
     /// The longest step of a damped body that moves, in units of what is fastest: its series reaches no farther.
@@ -40,93 +36,60 @@ impl PreciseTaylor {
     const REST: f64 = 1e-240;
 
     /// At t = 0.
-    ///
-    /// # Errors
-    /// [`PropagationError::NotCovered`] if a force moves a body of unknown mass, or two orbits act at once.
-    pub fn new(problem: &Problem) -> Result<Self, PropagationError> {
-        let schedule = Schedule::new(problem)
-            .map_err(|error| PropagationError::NotCovered { method: "precise Taylor", rule: error.rule() })?;
+    pub fn new(problem: &Problem) -> Result<Self, DynamicsError> {
+        let schedule = Schedule::new(problem)?;
         let state = PreciseState::from_state(&problem.initial);
-        let spans = schedule.spans().iter().map(|span| (Acting::at(problem, span.start), span.end)).collect();
+        let acting = Acting::at(problem, 0.0);
         let mut series = Series::new();
-        series.expand(&state, DoubleDouble::ZERO, &Acting::at(problem, 0.0), 1.0, 0);
+        series.expand(&state, DoubleDouble::ZERO, &acting, 1.0, 0);
         Ok(Self {
-            spans,
+            problem: problem.clone(),
+            edge: schedule.bounds(0).1,
+            schedule,
             current: 0,
+            acting,
             series,
             unit: 1.0,
             start: DoubleDouble::ZERO,
             end: DoubleDouble::ZERO,
             state,
-            latest: 0.0,
-            tolerance: Self::TOLERANCE,
-            most_steps: u64::MAX,
+            tolerance: PreciseTaylor::TOLERANCE,
             effort: Effort::default(),
         })
     }
 
-    /// The same, for at most so many steps: later times are then out of reach.
-    #[must_use]
-    pub fn limited_to(mut self, steps: u64) -> Self {
-        self.most_steps = steps;
-        self
-    }
-
-    /// The same by other steps, whose last terms may be as large as `tolerance`: what differs between two such runs
-    /// tells how far either can be trusted.
-    #[must_use]
+    /// The same by other steps.
     pub fn with_tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// The state at `time`, s, not before that of the last call; `None` if the limit of steps does not reach so far.
-    ///
-    /// # Errors
-    /// If the time goes back, the state ceases to be finite, or a step cannot be made small enough.
-    pub fn at(&mut self, time: f64) -> Result<Option<PreciseState>, PropagationError> {
-        self.at_exactly(DoubleDouble::from(time))
-    }
-
-    /// The same at an instant between two f64.
-    ///
-    /// # Errors
-    /// As for [`Self::at`].
-    pub fn at_exactly(&mut self, wanted: DoubleDouble) -> Result<Option<PreciseState>, PropagationError> {
-        check_times(&[wanted.hi()], self.latest)?;
-        while self.end < wanted {
-            if self.effort.steps >= self.most_steps {
-                return Ok(None);
-            }
-            self.advance()?;
-        }
-        self.latest = wanted.hi();
-        let mut state = self.series.state((wanted - self.start).scale(1.0 / self.unit));
+    /// The state at a time within the last step, s.
+    pub fn within(&self, time: DoubleDouble) -> PreciseState {
+        let mut state = self.series.state((time - self.start).scale(1.0 / self.unit));
         state.normalise();
-        Ok(Some(state))
+        state
     }
 
-    /// How far it has come, s.
-    #[must_use]
-    pub fn reached(&self) -> f64 {
-        self.end.hi()
+    /// Where the last step ends, s.
+    pub fn end(&self) -> DoubleDouble {
+        self.end
     }
 
-    /// Evaluations and steps so far.
-    #[must_use]
     pub fn effort(&self) -> Effort {
         self.effort
     }
 
     /// Makes one step.
-    fn advance(&mut self) -> Result<(), PropagationError> {
-        if self.end >= DoubleDouble::from(self.spans[self.current].1) {
+    pub fn advance(&mut self) -> Result<(), PropagationError> {
+        if self.end >= DoubleDouble::from(self.edge) {
             // The last span ends at infinity, so there is a next one.
             self.current += 1;
+            let (start, end) = self.schedule.bounds(self.current);
+            (self.acting, self.edge) = (Acting::at(&self.problem, start), end);
         }
-        let (acting, edge) = &self.spans[self.current];
-        let (time, edge) = (self.end, *edge);
-        self.unit = unit(&self.state, time, acting, &mut self.series);
+        let (acting, time, edge) = (&self.acting, self.end, self.edge);
+        self.unit = unit(&self.state, time, acting, edge, &mut self.series);
         self.series.expand(&self.state, time, acting, self.unit, ORDER);
         self.start = time;
         self.effort.evaluations += 1;
@@ -158,12 +121,15 @@ impl PreciseTaylor {
 }
 
 /// A power of two near the step's length, from how fast things happen in a state: no coefficient then over- or underflows.
-fn unit(state: &PreciseState, time: DoubleDouble, acting: &Acting, series: &mut Series) -> f64 {
+///
+/// What changes with time is as fast as the span to `edge` is short, at least: beyond it, its polynomials need no meaning.
+fn unit(state: &PreciseState, time: DoubleDouble, acting: &Acting, edge: f64, series: &mut Series) -> f64 {
     series.expand(state, time, acting, 1.0, 1);
     let turning = largest(&series.rates, 0).max(largest(&series.rates, 1).sqrt());
     let fading = acting.damping.iter().fold(0.0, |most: f64, value| most.max(value.hi()));
     let orbiting = acting.gradient.map_or(0.0, |(_, mean_motion)| mean_motion.abs());
-    let fastest = turning.max(fading).max(orbiting);
+    let driving = series.drive.as_ref().map_or(0.0, |drive| drive.turning().max(1.0 / (edge - time.hi())));
+    let fastest = turning.max(fading).max(orbiting).max(driving);
     let whole = libm::floor(-libm::log2(fastest));
     if (-1000.0..1000.0).contains(&whole) { libm::exp2(whole) } else { 1.0 }
 }

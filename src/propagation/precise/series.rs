@@ -1,4 +1,5 @@
 use super::acting::{Acting, Vector};
+use super::drive::Drive;
 use super::state::PreciseState;
 use crate::numerics::{DoubleDouble, convolution};
 
@@ -23,6 +24,8 @@ pub(super) struct Series {
     orbit: [Coefficients; 2],
     /// Body image of the direction from the attracting centre.
     radial: [Coefficients; 3],
+    /// What changes with time, if anything does.
+    pub drive: Option<Drive>,
 }
 
 impl Series {
@@ -35,6 +38,7 @@ impl Series {
             matrix: [[NONE; 3]; 3],
             orbit: [NONE; 2],
             radial: [NONE; 3],
+            drive: None,
         }
     }
 
@@ -49,6 +53,7 @@ impl Series {
             let (cosine, sine) = (time * mean_motion).cos_sin();
             start(&mut self.orbit, &[cosine, sine]);
         }
+        self.drive = acting.drive(time, unit);
         for k in 0..order {
             let next = DoubleDouble::from(exact(k + 1)).recip().scale(unit);
             if acting.needs_matrix {
@@ -71,6 +76,7 @@ impl Series {
     /// Coefficient k of ω̇.
     fn acceleration(&self, acting: &Acting, k: usize) -> Vector {
         let gyroscopic = cyclic_products(&self.rates, k);
+        let driven = self.drive.as_ref().map(|drive| drive.rates(&self.rates, &self.matrix, acting.needs_matrix, k));
         let tidal = acting.gradient.map(|(factors, _)| (factors, cyclic_products(&self.radial, k)));
         std::array::from_fn(|i| {
             let mut sum = acting.coupling[i] * gyroscopic[i] - acting.damping[i] * self.rates[i][k];
@@ -86,6 +92,9 @@ impl Series {
             }
             if let Some((factors, products)) = tidal {
                 sum += factors[i] * products[i];
+            }
+            if let Some(driven) = driven {
+                sum += driven[i];
             }
             sum
         })
@@ -106,8 +115,12 @@ impl Series {
 
     /// Coefficient k of v̇ = world acceleration + R b.
     fn force(&self, acting: &Acting, k: usize) -> Vector {
+        let driven = self.drive.as_ref().map(|drive| drive.acceleration(&self.matrix, k));
         std::array::from_fn(|i| {
             let mut sum = if k == 0 { acting.world_acceleration[i] } else { DoubleDouble::ZERO };
+            if let Some(driven) = driven {
+                sum += driven[i];
+            }
             for (row, along) in self.matrix[i].iter().zip(&acting.body_acceleration).filter(|(_, b)| !b.is_zero()) {
                 sum += row[k] * *along;
             }

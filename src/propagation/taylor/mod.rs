@@ -2,10 +2,13 @@
 //!
 //! In (q, ω, body images of world vectors) the equations of motion are bilinear, so that each Taylor coefficient is a
 //! convolution of those before it. The parts, each usable without the next: `series` and `recurrence` (coefficients, for
-//! any way of stepping), `step_size`, `dense` (evaluation), `carried` (compensated state), `propagator` (the stepping).
+//! any way of stepping), `drive` (what changes with time), `step_size`, `dense` (evaluation), `carried` (compensated state),
+//! `propagator` (the stepping), `choice` (this way, or by a tape).
 
 mod carried;
+mod choice;
 mod dense;
+mod drive;
 mod products;
 mod propagator;
 mod recurrence;
@@ -17,4 +20,4 @@ mod sums;
 mod terms;
 mod translation;
 
-pub use propagator::Taylor;
+pub use choice::Taylor;

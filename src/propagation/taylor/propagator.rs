@@ -5,7 +5,7 @@ use super::step_size::{LONGEST_STEP, order_for, power_of_two, step_ratio};
 use super::stretch::Stretch;
 use super::sums::{Instant, Sums};
 use super::terms::Terms;
-use crate::dynamics::{EulerEquations, Problem, Schedule};
+use crate::dynamics::{DynamicsError, EulerEquations, Problem, Schedule};
 use crate::numerics::vectorised;
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
@@ -13,14 +13,15 @@ use crate::propagation::{Effort, PropagationError, Propagator, States};
 /// The motion is the same however long q is, and samples are brought to unit length anyway: q need only stay near it.
 const STEPS_BETWEEN_NORMALISATIONS: u64 = 16;
 
-/// Motion under any loads, by Taylor series of high order with dense output `[JZ05]`.
-///
-/// The state is carried in compensated sums, steps stop exactly where a load starts or ends, and no step is ever
-/// thrown away: its length follows from the series. Where the steps lie does not depend on the sample times.
+/// Motion under loads whose equations are bilinear: see [`Taylor`](super::Taylor). The state is carried in compensated sums.
 #[derive(Debug, Clone)]
-pub struct Taylor {
-    stretches: Vec<Stretch>,
+pub(super) struct Bilinear {
+    euler: EulerEquations,
+    schedule: Schedule,
+    /// The current span's number, and what its series needs.
     current: usize,
+    stretch: Stretch,
+    with_attitude: bool,
     order: usize,
     tolerance: f64,
     wants_attitude: bool,
@@ -36,37 +37,27 @@ pub struct Taylor {
     effort: Effort,
 }
 
-impl Taylor {
-    /// From a problem and the error allowed per step: rad of attitude, and relative in the rates.
-    ///
-    /// The order follows from `tolerance`, up to 24; below 1e-17 nothing is gained.
-    ///
-    /// # Errors
-    /// [`PropagationError::NotCovered`] if the tolerance is not between 0 and 1, a force moves a body of unknown mass,
-    /// or two orbits act at once.
-    pub fn new(problem: &Problem, tolerance: f64) -> Result<Self, PropagationError> {
-        if !(tolerance > 0.0 && tolerance < 1.0) {
-            return Err(not_covered("its tolerance must lie between 0 and 1"));
-        }
-        let schedule = Schedule::new(problem).map_err(|error| not_covered(error.rule()))?;
+impl Bilinear {
+    /// From a problem and the error allowed per step, between 0 and 1.
+    pub fn new(problem: &Problem, tolerance: f64) -> Result<Self, DynamicsError> {
+        let schedule = Schedule::new(problem)?;
         let with_attitude = problem.wants_attitude || schedule.needs_attitude();
         let euler = EulerEquations::new(problem.moments);
-        let stretches: Vec<Stretch> = schedule
-            .spans()
-            .iter()
-            .map(|span| Stretch::new(&euler, span, with_attitude, problem.wants_translation))
-            .collect();
+        let stretch = Stretch::new(&euler, &schedule.span(0), with_attitude, problem.wants_translation);
         let start = Carried::new(&problem.initial);
-        let unit = stretches[0].unit_at(&start);
+        let unit = stretch.unit_at(&start);
         Ok(Self {
+            euler,
+            schedule,
             current: 0,
+            with_attitude,
             order: order_for(tolerance),
             tolerance,
             wants_attitude: problem.wants_attitude,
             wants_translation: problem.wants_translation,
             series: Series::new(),
-            terms: stretches[0].terms_in(unit),
-            stretches,
+            terms: stretch.terms_in(unit),
+            stretch,
             start,
             end: start,
             unit,
@@ -75,16 +66,11 @@ impl Taylor {
         })
     }
 
-    /// The order of its series.
-    #[must_use]
     pub fn order(&self) -> usize {
         self.order
     }
 
     /// Goes on towards `time`, s, by so many steps at most; how far it has come, s. Earlier times are then past.
-    ///
-    /// # Errors
-    /// If the state ceases to be finite or a step cannot be made small enough.
     pub fn reach(&mut self, time: f64, steps: u64) -> Result<f64, PropagationError> {
         let limit = self.effort.steps.saturating_add(steps);
         while self.end.time.until(time) > 0.0 && self.effort.steps < limit {
@@ -96,14 +82,16 @@ impl Taylor {
 
     /// Makes one step.
     fn advance(&mut self) -> Result<(), PropagationError> {
-        if self.end.time.until(self.stretches[self.current].end) <= 0.0 {
-            // The last stretch ends at infinity, so there is a next one.
+        if self.end.time.until(self.stretch.end) <= 0.0 {
+            // The last span ends at infinity, so there is a next one.
             self.current += 1;
+            let span = self.schedule.span(self.current);
+            self.stretch = Stretch::new(&self.euler, &span, self.with_attitude, self.wants_translation);
             self.series = Series::new();
-            self.unit = self.stretches[self.current].unit_at(&self.end);
-            self.terms = self.stretches[self.current].terms_in(self.unit);
+            self.unit = self.stretch.unit_at(&self.end);
+            self.terms = self.stretch.terms_in(self.unit);
         }
-        let stretch = &self.stretches[self.current];
+        let stretch = &self.stretch;
         if self.unit != self.terms.unit {
             self.terms = stretch.terms_in(self.unit);
         }
@@ -200,7 +188,7 @@ impl Taylor {
     }
 }
 
-impl Propagator for Taylor {
+impl Propagator for Bilinear {
     fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
         check_times(times, self.latest)?;
         states.reset(times.len(), self.wants_attitude, self.wants_translation);
@@ -223,8 +211,4 @@ impl Propagator for Taylor {
     fn effort(&self) -> Effort {
         self.effort
     }
-}
-
-fn not_covered(rule: &'static str) -> PropagationError {
-    PropagationError::NotCovered { method: "Taylor", rule }
 }

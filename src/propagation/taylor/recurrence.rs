@@ -12,41 +12,51 @@ pub(super) type Recurrence = fn(&Terms, &mut Series, usize);
 
 /// The recurrence that does what these loads need and nothing else: chosen once for each span.
 pub(super) fn recurrence_for(loads: &Combined, with_attitude: bool) -> Recurrence {
+    if loads.driven.is_some() {
+        return match (with_attitude, loads.couples.len(), loads.gradient.is_some()) {
+            (false, ..) => rotation::<false, 0, false, true>,
+            (true, 0, false) => rotation::<true, 0, false, true>,
+            (true, _, false) => rotation::<true, 3, false, true>,
+            (true, 0, true) => rotation::<true, 0, true, true>,
+            (true, _, true) => rotation::<true, 3, true, true>,
+        };
+    }
     match (with_attitude, loads.couples.len(), loads.gradient.is_some()) {
-        (false, ..) => rotation::<false, 0, false>,
-        (true, 0, false) => rotation::<true, 0, false>,
-        (true, 1, false) => rotation::<true, 1, false>,
-        (true, 2, false) => rotation::<true, 2, false>,
-        (true, _, false) => rotation::<true, 3, false>,
-        (true, 0, true) => rotation::<true, 0, true>,
-        (true, 1, true) => rotation::<true, 1, true>,
-        (true, 2, true) => rotation::<true, 2, true>,
-        (true, _, true) => rotation::<true, 3, true>,
+        (false, ..) => rotation::<false, 0, false, false>,
+        (true, 0, false) => rotation::<true, 0, false, false>,
+        (true, 1, false) => rotation::<true, 1, false, false>,
+        (true, 2, false) => rotation::<true, 2, false, false>,
+        (true, _, false) => rotation::<true, 3, false, false>,
+        (true, 0, true) => rotation::<true, 0, true, false>,
+        (true, 1, true) => rotation::<true, 1, true, false>,
+        (true, 2, true) => rotation::<true, 2, true, false>,
+        (true, _, true) => rotation::<true, 3, true, false>,
     }
 }
 
-fn rotation<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool>(
+fn rotation<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool, const DRIVEN: bool>(
     terms: &Terms,
     series: &mut Series,
     order: usize,
 ) {
-    in_registers(Rotation::<ATTITUDE, IMAGES, GRADIENT> { terms, series, order: order.min(ORDER_MAX) });
+    in_registers(Rotation::<ATTITUDE, IMAGES, GRADIENT, DRIVEN> { terms, series, order: order.min(ORDER_MAX) });
 }
 
 /// The bilinear system, time in the series' unit:
 /// ω' = coupling (ω₂ω₃, …) + I⁻¹ (τ + Σ A u − c ω) + gradient (r₂r₃, …), q' = ½ q ω, u' = u × ω,
-/// r' = r × (ω − n h), h' = h × ω. Each product is a convolution of coefficients `[JZ05]`.
+/// r' = r × (ω − n p), p' = p × ω. Each product is a convolution of coefficients `[JZ05]`. What is driven adds polynomials
+/// of time, times 1, u or ω.
 ///
 /// Two orders at a time: what both have in common is summed once, and the chain from one coefficient to the next is
 /// left with a turn, a product and two sums.
-struct Rotation<'a, const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> {
+struct Rotation<'a, const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool, const DRIVEN: bool> {
     terms: &'a Terms,
     series: &'a mut Series,
     order: usize,
 }
 
-impl<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> Kernel
-    for Rotation<'_, ATTITUDE, IMAGES, GRADIENT>
+impl<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool, const DRIVEN: bool> Kernel
+    for Rotation<'_, ATTITUDE, IMAGES, GRADIENT, DRIVEN>
 {
     type Output = ();
 
@@ -57,7 +67,7 @@ impl<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> Kernel
         let mut newest_attitude = series.attitude[0].load::<F>(proof);
         let mut k = 0;
         while k < order {
-            newest_rates = two::<F, IMAGES, GRADIENT>(proof, terms, series, k, newest_rates);
+            newest_rates = two::<F, IMAGES, GRADIENT, DRIVEN>(proof, terms, series, k, newest_rates);
             // The attitude comes a step behind, so as not to wait for what has just been begun.
             if ATTITUDE && k > 0 {
                 let Series { attitude, rates, .. } = &mut *series;
@@ -73,7 +83,7 @@ impl<const ATTITUDE: bool, const IMAGES: usize, const GRADIENT: bool> Kernel
 
 /// Coefficients k + 1 and k + 2 of all but the attitude.
 #[inline(always)]
-fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
+fn two<F: Four, const IMAGES: usize, const GRADIENT: bool, const DRIVEN: bool>(
     proof: F::Proof,
     terms: &Terms,
     series: &mut Series,
@@ -96,7 +106,8 @@ fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     }
 
     let next = F::splat(proof, RECIPROCAL[k + 1]);
-    let rest = others::<F, IMAGES, GRADIENT>(proof, terms, series, k, tidal.now(k, cyclic_ends(proof, &series.radial)));
+    let tide = tidal.now(k, cyclic_ends(proof, &series.radial));
+    let rest = others::<F, IMAGES, GRADIENT, DRIVEN>(proof, terms, series, k, tide);
     let next_images =
         from_fn::<_, IMAGES, _>(|i| images[i].now(k, cross_ends(proof, &series.images[i], &series.rates)));
     if GRADIENT {
@@ -115,8 +126,8 @@ fn two<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     }
 
     let next = F::splat(proof, RECIPROCAL[k + 2]);
-    let rest =
-        others::<F, IMAGES, GRADIENT>(proof, terms, series, k + 1, tidal.ahead(k, cyclic_ends(proof, &series.radial)));
+    let tide = tidal.ahead(k, cyclic_ends(proof, &series.radial));
+    let rest = others::<F, IMAGES, GRADIENT, DRIVEN>(proof, terms, series, k + 1, tide);
     let next_images =
         from_fn::<_, IMAGES, _>(|i| images[i].ahead(k, cross_ends(proof, &series.images[i], &series.rates)));
     if GRADIENT {
@@ -157,7 +168,7 @@ fn set_relative<F: Four>(proof: F::Proof, terms: &Terms, series: &mut Series, k:
 
 /// Coefficient k of ω̇ but for the gyroscopic part and the damping.
 #[inline(always)]
-fn others<F: Four, const IMAGES: usize, const GRADIENT: bool>(
+fn others<F: Four, const IMAGES: usize, const GRADIENT: bool, const DRIVEN: bool>(
     proof: F::Proof,
     terms: &Terms,
     series: &Series,
@@ -173,6 +184,9 @@ fn others<F: Four, const IMAGES: usize, const GRADIENT: bool>(
     }
     if GRADIENT {
         sum = sum + terms.gradient.load::<F>(proof) * tidal.turned();
+    }
+    if DRIVEN && let Some(drive) = &series.drive {
+        sum = sum + drive.rates(proof, series, k);
     }
     sum
 }

@@ -1,3 +1,4 @@
+use super::drive::Drive;
 use super::row::Row;
 use crate::numerics::Four;
 
@@ -44,6 +45,8 @@ pub(super) struct Series {
     pub position: Rows,
     /// v · unit, world axes, m.
     pub velocity: Rows,
+    /// What changes with time, if anything does.
+    pub drive: Option<Box<Drive>>,
 }
 
 /// Coefficients (x, y, z) with their copies (y, z, x), which products of vectors need.
@@ -93,6 +96,7 @@ impl Series {
             relative: Vectors::NONE,
             position: NO_ROWS,
             velocity: NO_ROWS,
+            drive: None,
         }
     }
 }

@@ -1,13 +1,14 @@
 use nalgebra::Vector3;
 
 use super::carried::Carried;
+use super::drive::Drive;
 use super::recurrence::{Recurrence, recurrence_for};
 use super::row::Row;
 use super::series::Series;
 use super::step_size::{LONGEST_STEP, power_of_two};
 use super::terms::Terms;
-use super::translation::{fall, thrust};
-use crate::dynamics::{EulerEquations, Gradient, Span};
+use super::translation::{driven, fall, thrust};
+use crate::dynamics::{Driven, EulerEquations, Gradient, Span};
 
 /// A span of the schedule, with the code and the constants that its series needs: nothing is decided later.
 #[derive(Debug, Clone)]
@@ -18,6 +19,10 @@ pub(super) struct Stretch {
     /// World vectors of the couples.
     vectors: Vec<Vector3<f64>>,
     gradient: Option<Gradient>,
+    /// What changes with time, and what turns it into a series.
+    driven: Option<(Box<Driven>, EulerEquations)>,
+    /// The longest unit of time, s: beyond the span, polynomials of time need no meaning.
+    longest_unit: f64,
     recurrence: Recurrence,
     translation: Translation,
 }
@@ -44,6 +49,8 @@ impl Stretch {
             terms: Terms::new(euler, loads),
             vectors: loads.couples.iter().map(|couple| couple.vector).collect(),
             gradient: loads.gradient,
+            driven: loads.driven.clone().map(|driven| (driven, *euler)),
+            longest_unit: if loads.driven.is_some() { span.end - span.start } else { f64::INFINITY }.min(LONGEST_STEP),
             recurrence: recurrence_for(loads, with_attitude),
             translation,
         }
@@ -66,13 +73,18 @@ impl Stretch {
             series.radial.set(0, Row::from_vector(state.to_body(&gradient.radial_at(time.high, time.low)).into()));
             series.pole.set(0, Row::from_vector(state.to_body(&Vector3::z()).into()));
         }
+        if let Some((driven, euler)) = &self.driven {
+            series.drive = Some(Box::new(Drive::new(driven, euler, state.time, terms.unit)));
+        }
         (self.recurrence)(terms, series, order);
         if self.translation != Translation::Unwanted {
             series.position[0] = state.position.high;
             series.velocity[0] = state.velocity.high * Row::splat(terms.unit);
         }
+        let is_driven = series.drive.as_ref().is_some_and(|drive| drive.moves());
         match self.translation {
             Translation::Unwanted => {}
+            _ if is_driven => driven(terms, series, order),
             Translation::Fall => fall(terms, series),
             Translation::Thrust => thrust(terms, series, order),
         }
@@ -84,6 +96,8 @@ impl Stretch {
         self.expand(state, &terms, &mut series, 1);
         let turning = series.rates.rows[0].magnitude().max(series.rates.rows[1].magnitude().sqrt());
         let fading = terms.damping.magnitude();
-        power_of_two((1.0 / turning.max(fading).max(terms.mean_motion.abs())).min(LONGEST_STEP))
+        let rotor = series.drive.as_ref().map_or(0.0, |drive| drive.turning());
+        let fastest = turning.max(fading).max(terms.mean_motion.abs()).max(rotor);
+        power_of_two((1.0 / fastest).min(self.longest_unit))
     }
 }

@@ -20,12 +20,9 @@ pub(super) fn thrust(terms: &Terms, series: &mut Series, order: usize) {
 
 #[inline(always)]
 fn thrust_inline(terms: &Terms, series: &mut Series, order: usize) {
-    let [x, y, z] = terms.body_acceleration;
     let mut turned = series.attitude;
-    for Row([w, i, j, k]) in &mut turned[..order] {
-        // q (0, b), by itself a quaternion.
-        (*w, *i, *j, *k) =
-            (-(*i * x + *j * y + *k * z), *w * x + *j * z - *k * y, *w * y + *k * x - *i * z, *w * z + *i * y - *j * x);
+    for q in &mut turned[..order] {
+        *q = times_vector(*q, terms.body_acceleration);
     }
     let mut constant = terms.world_acceleration;
     for k in 0..order {
@@ -34,6 +31,37 @@ fn thrust_inline(terms: &Terms, series: &mut Series, order: usize) {
         series.position[k + 1] = series.velocity[k] * next;
         constant = Row::ZERO;
     }
+}
+
+/// v' = world acceleration + R b, x' = v, where both change with time.
+pub(super) fn driven(terms: &Terms, series: &mut Series, order: usize) {
+    let Some(drive) = series.drive.take() else { return };
+    let order = order.min(ORDER_MAX);
+    let mut body = drive.body_acceleration;
+    for (sum, constant) in body[0].iter_mut().zip(terms.body_acceleration) {
+        *sum += constant;
+    }
+    let mut turned = [Row::ZERO; ORDER_MAX + 1];
+    for (k, sum) in turned[..order].iter_mut().enumerate() {
+        for (b, q) in body.iter().zip(series.attitude[..=k].iter().rev()) {
+            *sum += times_vector(*q, *b);
+        }
+    }
+    for k in 0..order {
+        let next = Row::splat(RECIPROCAL[k + 1]);
+        let mut acceleration = conjugate_product(&turned, &series.attitude, k);
+        acceleration += drive.world_acceleration.get(k).copied().unwrap_or(Row::ZERO);
+        acceleration += if k == 0 { terms.world_acceleration } else { Row::ZERO };
+        series.velocity[k + 1] = acceleration * next;
+        series.position[k + 1] = series.velocity[k] * next;
+    }
+    series.drive = Some(drive);
+}
+
+/// q (0, b), by itself a quaternion.
+#[inline(always)]
+fn times_vector(Row([w, i, j, k]): Row, [x, y, z]: [f64; 3]) -> Row {
+    Row([-(i * x + j * y + k * z), w * x + j * z - k * y, w * y + k * x - i * z, w * z + i * y - j * x])
 }
 
 /// The vector part of Σ a(j) b*(k − j).

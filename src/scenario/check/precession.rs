@@ -4,7 +4,6 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::crossing::evenly;
 use crate::body::State;
-use crate::dynamics::momentum_in_world;
 use crate::propagation::PropagationError;
 use crate::scenario::PlannedBody;
 use crate::telemetry::Channel;
@@ -37,7 +36,7 @@ pub fn in_body(body: &PlannedBody, axis: &Vector3<f64>, duration: f64, expected:
 
 fn initial_momentum(body: &PlannedBody) -> Vector3<f64> {
     let initial: &State = &body.problem.initial;
-    momentum_in_world(body.problem.moments, initial)
+    body.problem.momentum_in_world(0.0, initial)
 }
 
 /// How many times to look: sixteen a turn at the expected rate, so that no turn is missed.

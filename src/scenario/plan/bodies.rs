@@ -3,7 +3,7 @@ use std::collections::HashSet;
 use super::rules::{optional_vector, rotation, unused, vector};
 use super::{channels, loads, mass, path, work};
 use crate::body::{AngularVelocity, Attitude, MassProperties, State};
-use crate::dynamics::Problem;
+use crate::dynamics::{Load, Problem, rotor_momentum};
 use crate::scenario::faults::{Faults, MOST_FAULTS};
 use crate::scenario::watch::wants_translation;
 use crate::scenario::{BodySpec, Grid, Key, PlannedBody, Refusal, Scenario};
@@ -56,9 +56,10 @@ fn name(key: &Key, spec: &BodySpec, count: usize) -> Result<String, Refusal> {
 
 fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: String) -> Result<PlannedBody, Refusal> {
     let (properties, surfaces) = mass::plan(key, spec, &scenario.folder)?;
-    let acting = loads::plan(key, spec, &properties)?;
     let is_pivoted = spec.pivot.is_some();
-    let initial = initial(key, spec, &properties)?;
+    let rotors = loads::rotors(key, spec, &properties)?;
+    let initial = initial(key, spec, &properties, &rotors)?;
+    let acting = loads::plan(key, spec, &properties, &initial, rotors, &scenario.folder, grid.end())?;
     extent(key, spec, &properties, &initial)?;
     let moves = acting.moves || initial.velocity.norm() > 0.0;
     let mut problem = Problem {
@@ -72,7 +73,7 @@ fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: Stri
     };
     let recorded = channels::choose(scenario, &problem, moves)?;
     // What else is propagated bears on the steps, and a trial is to make those of the run.
-    problem.wants_translation = wants_translation(moves, &recorded);
+    problem.wants_translation = wants_translation(&problem, moves, &recorded);
     let accuracy = path::accuracy(scenario, grid)?;
     work::check(scenario, &problem, moves, grid.end())?;
     let (path, reason) = path::choose(scenario, &problem, moves, &accuracy)?;
@@ -114,7 +115,7 @@ fn extent(key: &Key, spec: &BodySpec, properties: &MassProperties, initial: &Sta
 }
 
 /// The first state, in principal axes.
-fn initial(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<State, Refusal> {
+fn initial(key: &Key, spec: &BodySpec, properties: &MassProperties, loads: &[Load]) -> Result<State, Refusal> {
     let principal_from_body = properties.body_from_principal.inverse();
     let momentum_key = key.field("angular_momentum_n_m_s");
     let angular_velocity = match (spec.angular_velocity_rad_s, spec.angular_momentum_n_m_s) {
@@ -123,7 +124,8 @@ fn initial(key: &Key, spec: &BodySpec, properties: &MassProperties) -> Result<St
         }
         (velocity, None) => principal_from_body * optional_vector(&key.field("angular_velocity_rad_s"), velocity)?,
         (None, Some(momentum)) => {
-            let momentum = principal_from_body * vector(&momentum_key, momentum)?;
+            // Of body and rotors together, as it is recorded.
+            let momentum = principal_from_body * vector(&momentum_key, momentum)? - rotor_momentum(loads, 0.0);
             momentum.component_div(&properties.moments.vector())
         }
     };

@@ -50,10 +50,10 @@ pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> 
             Some("has no meaning here: only a body that turns without loads rolls on the invariable plane")
         }
         Channel::Tilt if FigureAxis::of(problem).is_none() => Some(
-            "has no meaning here: the body has no axis of symmetry that leans from L, from the vertical or in an orbit",
+            "has no meaning here: the body has no axis of symmetry that leans from L, from the vertical, from a field or in an orbit",
         ),
         Channel::PrecessionRate if !precesses(problem) => {
-            Some("has no meaning here: the body has no axis of symmetry that goes round L or the vertical")
+            Some("has no meaning here: the body has no axis of symmetry that goes round L, the vertical or a field")
         }
         Channel::FigureAngles | Channel::FigureRates if FigureFrame::of(problem).is_none() => Some(
             "has no meaning here: the body neither turns without loads about an axis that L goes round, nor is it a top of \
@@ -103,15 +103,20 @@ fn rolls(problem: &Problem) -> bool {
     problem.loads.is_empty() && problem.initial.angular_velocity.in_body().norm() > 0.0
 }
 
+const fn has_potential(torque: &Torque) -> bool {
+    matches!(torque, Torque::ForceWorld { .. } | Torque::MagneticDipole { .. } | Torque::GravityGradient { .. })
+}
+
 fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
-    let has_potential = problem
-        .loads
-        .iter()
-        .any(|load| matches!(load.torque, Torque::ForceWorld { .. } | Torque::GravityGradient { .. }))
-        || moves && problem.gravity.norm() > 0.0;
+    let has_potential =
+        problem.loads.iter().any(|load| has_potential(&load.torque)) || moves && problem.gravity.norm() > 0.0;
     let conserves = problem.energy_law().is_some();
     let has_moment = problem.loads.iter().any(|load| match load.torque {
-        Torque::ForceBody { arm, .. } | Torque::ForceWorld { arm, .. } => arm.norm() > 0.0,
+        Torque::ForceBody { arm, .. }
+        | Torque::ForceWorld { arm, .. }
+        | Torque::ForceProfileBody { arm, .. }
+        | Torque::ForceProfileWorld { arm, .. } => arm.norm() > 0.0,
+        Torque::Rotor { .. } => false,
         _ => true,
     });
     let is_interesting = |channel: &Channel| match channel {

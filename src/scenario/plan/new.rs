@@ -44,9 +44,10 @@ fn plan(scenario: &Scenario) -> Result<Plan, Faults<Refusal>> {
     })
 }
 
-/// The scene in words, and what follows from the mesh files that it names.
+/// The scene in words, and what follows from the mesh files and tables that it names.
 fn identity(scenario: &Scenario, bodies: &[PlannedBody]) -> String {
     let scene = if scenario.text.is_empty() { format!("{scenario:?}") } else { scenario.text.clone() };
     let properties: Vec<_> = bodies.iter().map(|body| &body.properties).collect();
-    format!("{scene}\n{properties:?}")
+    let profiles = bodies.iter().flat_map(|body| &body.problem.loads).filter_map(|load| load.torque.profile());
+    profiles.fold(format!("{scene}\n{properties:?}"), |text, profile| format!("{text}\n{:032x}", profile.fingerprint()))
 }

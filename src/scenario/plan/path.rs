@@ -1,6 +1,6 @@
 use super::promise::{Kept, Stepper, keep};
 use super::rules::{positive, unused};
-use crate::dynamics::Problem;
+use crate::dynamics::{DynamicsError, Problem};
 use crate::propagation::{AxialTorque, BrakedRotation, Coverage, FixedStepMethod, Information, LagrangeTop};
 use crate::scenario::{Grid, Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
 
@@ -68,7 +68,7 @@ pub fn choose(
         unused(&Key::root("tolerance_rad"), scenario.tolerance_rad.as_ref(), rule)?;
     }
     if let Some(method) = fixed_step {
-        return with_fixed_step(scenario, problem.loads.is_empty(), method);
+        return with_fixed_step(scenario, problem, method);
     }
     match scenario.method {
         Method::ClosedForm => {
@@ -77,6 +77,7 @@ pub fn choose(
             Ok((path, asked("closed_form")))
         }
         Method::Taylor => by_steps(Stepper::Taylor, problem, accuracy, &asked("taylor")),
+        Method::Dop853 if problem.inner_sphere().is_some() => Err(method_key.refuse(DynamicsError::InnerSphere.rule())),
         Method::Dop853 => by_steps(Stepper::Dop853, problem, accuracy, &asked("dop853")),
         // Left over: "auto".
         _ => known.map_or_else(|| automatic(problem, accuracy), |(path, reason)| Ok((path, reason.to_owned()))),
@@ -103,7 +104,11 @@ fn by_steps(stepper: Stepper, problem: &Problem, accuracy: &Accuracy, asked: &st
 /// Of what has no closed form.
 fn automatic(problem: &Problem, accuracy: &Accuracy) -> Result<(Path, String), Refusal> {
     let Accuracy::Promise(promise, grid) = accuracy else {
-        let reason = "a torque acts: Taylor series are the cheapest way to full accuracy";
+        let reason = if problem.is_general() {
+            "a load has no recurrence of its own: general Taylor series, by automatic differentiation of all that acts"
+        } else {
+            "a torque acts: Taylor series are the cheapest way to full accuracy"
+        };
         return by_steps(Stepper::Taylor, problem, accuracy, reason);
     };
     match kept(problem, grid, *promise, &[Stepper::Taylor, Stepper::Dop853])? {
@@ -136,16 +141,27 @@ pub fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str
         return Some((Path::AxialTorque, reason));
     }
     if !moves && LagrangeTop::covers(problem) {
-        let reason = "a symmetric body under a force on its axis is Lagrange's top, known in closed form";
+        let reason = "a symmetric body under a force or field on its axis is Lagrange's top, known in closed form";
         return Some((Path::LagrangeTop, reason));
     }
     None
 }
 
-fn with_fixed_step(scenario: &Scenario, is_free: bool, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
+fn with_fixed_step(scenario: &Scenario, problem: &Problem, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
     let Information { name, coverage, .. } = method.information();
-    if coverage == Coverage::TorqueFree && !is_free {
+    if problem.inner_sphere().is_some() {
+        return Err(Key::root("method").refuse(DynamicsError::InnerSphere.rule()));
+    }
+    if coverage == Coverage::ListedLoads && problem.is_general() {
+        let rule = format_args!("\"{name}\" knows the flow of constants, couples and damping only");
+        return Err(Key::root("method").refuse(rule));
+    }
+    if coverage == Coverage::TorqueFree && !problem.loads.is_empty() {
         let rule = format_args!("\"{name}\" needs a body without torques and forces");
+        return Err(Key::root("method").refuse(rule));
+    }
+    if coverage == Coverage::ListedLoads && problem.has_rotor() {
+        let rule = format_args!("\"{name}\" does not know how a body that carries a rotor turns; use \"auto\"");
         return Err(Key::root("method").refuse(rule));
     }
     let key = Key::root("step_s");

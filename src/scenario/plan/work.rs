@@ -11,6 +11,8 @@ const MOST_STEPS: f64 = 1e11;
 const MOST_TURNS: f64 = 1e15;
 /// Steps that are tried.
 const TRIED: u64 = 2000;
+/// Spans that are tried: a table of many knots is looked at from its beginning.
+const MOST_SPANS: usize = 1000;
 /// Of a step of the trial, rad: how many there are hardly depends on it.
 const TOLERANCE: f64 = 1e-6;
 /// The exponent of the smallest number.
@@ -54,18 +56,19 @@ fn steps(key: &Key, problem: &Problem, end: f64) -> Result<(), Refusal> {
     let schedule = Schedule::new(problem).map_err(|error| refuse(&error))?;
     let mut trial = Taylor::new(problem, TOLERANCE).map_err(|error| refuse(&error))?;
     let mut states = States::default();
-    for span in schedule.spans().iter().filter(|span| span.start < end) {
-        let length = span.end.min(end) - span.start;
+    let bounds = (0..schedule.count().min(MOST_SPANS)).map(|index| schedule.bounds(index));
+    for (start, span_end) in bounds.filter(|(start, _)| *start < end) {
+        let length = span_end.min(end) - start;
         let before = trial.effort().steps;
         // Later, time itself is no finer than this.
-        let halvings = if span.start > 0.0 { exponent(length / span.start) + 52 } else { DEEPEST };
+        let halvings = if start > 0.0 { exponent(length / start) + 52 } else { DEEPEST };
         for halvings in (0..=halvings.max(0)).rev() {
             let passed = libm::ldexp(length, -halvings);
-            trial.fill(&[span.start + passed], &mut states).map_err(|error| refuse(&error))?;
+            trial.fill(&[start + passed], &mut states).map_err(|error| refuse(&error))?;
             let made = trial.effort().steps - before;
             if made > TRIED {
                 let mean = passed / count(made);
-                let wanted = (end - span.start) / mean;
+                let wanted = (end - start) / mean;
                 if wanted > MOST_STEPS {
                     let rule = format!("steps of {mean:.1e} s, {wanted:.1e} of them: at most {MOST_STEPS:e}");
                     return Err(refuse(&rule));

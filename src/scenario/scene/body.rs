@@ -1,11 +1,11 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
-use super::{ForceSpecs, SolidSpecs, TorqueSpecs};
+use super::{ForceSpecs, RotorSpec, SolidSpecs, TorqueSpecs};
 #[cfg(feature = "schema")]
 use crate::scenario::schema::structure;
 
@@ -49,10 +49,22 @@ pub struct BodySpec {
     pub gravity_m_s2: Option<[f64; 3]>,
     /// A point of the body that is held fixed; left out: the body is free.
     pub pivot: Option<PivotSpec>,
+    /// Wheels that spin inside; the inertia given includes them.
+    pub rotor: Vec<RotorSpec>,
     /// Torques.
     pub torque: TorqueSpecs,
     /// Forces.
     pub force: ForceSpecs,
+}
+
+impl BodySpec {
+    /// The files that it names, and what they are.
+    pub fn files(&self) -> impl Iterator<Item = (&'static str, &Path)> {
+        let meshes = self.mesh.iter().map(|mesh| ("mesh", mesh.file.as_path()));
+        let tables = self.torque.table.iter().chain(&self.force.table);
+        let tables = tables.filter_map(|table| Some(("table", table.file.as_deref()?)));
+        meshes.chain(tables)
+    }
 }
 
 /// One point mass.

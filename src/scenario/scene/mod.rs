@@ -3,6 +3,7 @@
 mod body;
 mod channel_checks;
 mod checks;
+mod general_loads;
 mod loads;
 mod motion_checks;
 mod scenario;
@@ -11,7 +12,14 @@ mod solids;
 pub use body::{BodySpec, MeshSpec, ParticleSpec, PivotSpec};
 pub use channel_checks::{ConservedSpec, Extremum, ExtremumSpec, PeriodSpec, RateSpec};
 pub use checks::{Checks, DriftSpec, FlipPeriodSpec, Frame, PrecessionRateSpec, ValueSpec};
-pub use loads::{BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MomentSpec, TorqueSpecs};
+pub use general_loads::{
+    BDotSpec, ForceFormulaSpec, InnerSphereSpec, QuadraticDampingSpec, QuadraticDragSpec, QuaternionFeedbackSpec,
+    RateFeedbackSpec, SpringSpec, TorqueFormulaSpec,
+};
+pub use loads::{
+    AfterTable, BrakeSpec, DampingSpec, ForceSpec, ForceSpecs, GravityGradientSpec, MagneticDipoleSpec, MomentSpec,
+    RotorSpec, TableSpec, ThrusterSpec, TorqueSpecs,
+};
 pub use motion_checks::{MontgomeryPhaseSpec, ObservedSpec, StabilitySpec, Verdict};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

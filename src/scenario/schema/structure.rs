@@ -51,6 +51,21 @@ pub fn solid(schema: &mut Schema) {
     schema.insert("oneOf".into(), json!([needs("mass_kg"), needs("density_kg_m3")]));
 }
 
+/// A file or rows.
+pub fn table(schema: &mut Schema) {
+    schema.insert("oneOf".into(), json!([needs("file"), needs("rows")]));
+}
+
+/// Listed pulses or a period with a duty.
+pub fn thruster(schema: &mut Schema) {
+    schema.insert("oneOf".into(), choices(&[json!(["pulses_s"]), json!(["period_s", "duty"])]));
+}
+
+/// A constant momentum or scheduled ones.
+pub fn rotor(schema: &mut Schema) {
+    schema.insert("oneOf".into(), choices(&[json!(["momentum_n_m_s"]), json!(["times_s", "momenta_n_m_s"])]));
+}
+
 /// Three lengths, or the like.
 pub fn each_positive(schema: &mut Schema) {
     if let Some(items) = schema.get_mut("items").and_then(Value::as_object_mut) {
@@ -85,6 +100,9 @@ fn needs(key: &str) -> Value {
 }
 
 fn one_of(required: &[Value]) -> Value {
-    let choices: Vec<_> = required.iter().map(|keys| json!({ "required": keys })).collect();
-    json!({ "oneOf": choices })
+    json!({ "oneOf": choices(required) })
+}
+
+fn choices(required: &[Value]) -> Value {
+    required.iter().map(|keys| json!({ "required": keys })).collect()
 }

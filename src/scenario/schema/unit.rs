@@ -1,11 +1,13 @@
 /// How the name of a key ends, and the unit that this means; the longest ending counts.
-const UNITS: [(&str, &str); 26] = [
+const UNITS: [(&str, &str); 28] = [
     ("_a_m2", "A m²"),
+    ("_a_m2_s_per_t", "A m² s/T"),
     ("_hz", "Hz"),
     ("_j", "J"),
     ("_kg", "kg"),
     ("_kg_m2", "kg m²"),
     ("_kg_m3", "kg/m³"),
+    ("_kg_per_m", "kg/m"),
     ("_kg_per_s", "kg/s"),
     ("_m", "m"),
     ("_m2", "m²"),

@@ -2,7 +2,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::body::{AngularVelocity, Attitude, State};
 use crate::comparison::{Growth, Trace};
-use crate::dynamics::{MomentumLaw, Problem, momentum_in_world};
+use crate::dynamics::{MomentumLaw, Problem};
 use crate::propagation::States;
 
 /// How far a conserved quantity strays.
@@ -39,7 +39,7 @@ struct Watched {
 impl<'a> Laws<'a> {
     pub fn new(problem: &'a Problem) -> Self {
         let initial = &problem.initial;
-        let momentum = momentum_in_world(problem.moments, initial);
+        let momentum = problem.momentum_in_world(0.0, initial);
         Self {
             problem,
             initial_energy: problem.energy_law().map(|_| problem.total_energy(0.0, initial).0),
@@ -79,7 +79,7 @@ impl<'a> Laws<'a> {
             self.of_energy.include(time, (energy - initial).abs(), size);
         }
         if let Some((law, initial)) = &self.momentum {
-            let momentum = momentum_in_world(self.problem.moments, &state);
+            let momentum = self.problem.momentum_in_world(time, &state);
             let size = initial.norm().max(momentum.norm());
             self.of_momentum.include(time, law.violation(time, initial, &momentum), size);
         }

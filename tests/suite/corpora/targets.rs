@@ -7,8 +7,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode::body::TriangleMesh;
-use polhode::dynamics::{Problem, Torque};
+use polhode::body::{Attitude, TriangleMesh};
+use polhode::dynamics::formula::Expression;
+use polhode::dynamics::{FormulaLoad, FormulaPlace, General, Problem, Profile, Symbols, Torque};
+use polhode::numerics::{Expansion, Tape};
 use polhode::propagation::States;
 use polhode::recording::foreign::{Mapping, Observation, observe};
 use polhode::recording::{Observed, Recording, RecordingError, Track, contents};
@@ -40,6 +42,7 @@ pub type Target = fn(&Scratch, &[u8]);
 pub const TARGETS: &[(&str, Target)] = &[
     ("csv", csv),
     ("foreign", foreign),
+    ("formula", formula),
     #[cfg(feature = "mcap")]
     ("mcap", mcap),
     ("obj", obj),
@@ -65,6 +68,28 @@ pub fn set(_: &Scratch, bytes: &[u8]) {
     let name = lines.next().unwrap_or_default();
     if let Ok(scenario) = Scenario::named(&name, &lines.collect::<Vec<_>>()) {
         plan(&scenario);
+    }
+}
+
+/// A formula as text: what is read lays out as operations, whose series to a low order come to an end.
+pub fn formula(_: &Scratch, bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    match Expression::read(text) {
+        Ok(expression) => {
+            let components = [Expression::Number(0.0), expression.clone(), expression];
+            let place = FormulaPlace::Moment;
+            let body_from_principal = Attitude::identity().world_from_body();
+            let kind = General::Formula(FormulaLoad { components, in_world: true, place, body_from_principal });
+            let mut tape = Tape::new(Symbols::INPUTS);
+            let symbols = Symbols::on(&mut tape);
+            kind.lay_out(&mut tape, &symbols).moment.into_iter().for_each(|node| tape.want(node));
+            let mut expansion = Expansion::<f64>::new(&tape, 3);
+            expansion.set(0, 1, 1.0);
+            expansion.expand(&tape, 3);
+            let switch = expansion.first_switch(&tape, 3, 1.0);
+            assert!(switch.is_none_or(|sigma| sigma > 0.0 && sigma <= 1.0), "{switch:?}");
+        }
+        Err(error) => assert!((1..=text.chars().count() + 1).contains(&error.column), "{error}"),
     }
 }
 
@@ -206,10 +231,23 @@ fn pace(problem: &Problem) -> f64 {
         Torque::LinearDamping { coefficient } => coefficient / smallest,
         Torque::MomentumBrake { rate } => rate,
         Torque::ForceBody { force, arm } | Torque::ForceWorld { force, arm } => turning(force.norm() * arm.norm()),
+        Torque::ProfileBody { ref moment } | Torque::ProfileWorld { ref moment } => turning(largest_of(moment)),
+        Torque::ForceProfileBody { ref force, arm } | Torque::ForceProfileWorld { ref force, arm } => {
+            turning(largest_of(force) * arm.norm())
+        }
+        Torque::Rotor { ref momentum } => largest_of(momentum) / smallest,
+        Torque::MagneticDipole { dipole, field } => turning(dipole.norm() * field.norm()),
         Torque::GravityGradient { mean_motion } => mean_motion * (1.0 + turning(largest)),
+        // Whatever its author wrote: not a step of it.
+        Torque::General(_) => f64::INFINITY,
     });
     let spin = problem.initial.angular_velocity.in_body().norm() * largest / smallest;
     loads.sum::<f64>() + spin
+}
+
+/// Of a function of time, at its knots.
+fn largest_of(profile: &Profile) -> f64 {
+    profile.knots().iter().map(|knot| profile.at(*knot).norm()).fold(0.0, f64::max)
 }
 
 /// Nothing that is not finite comes without an error, and attitudes are of unit length.

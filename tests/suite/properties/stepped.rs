@@ -18,6 +18,7 @@ fn torque() -> impl Strategy<Value = Torque> {
         decades(-6.0, 0.0).prop_map(|rate| Torque::MomentumBrake { rate }),
         (vector(-3.0, 0.5), vector(-3.0, 0.5)).prop_map(|(force, arm)| Torque::ForceBody { force, arm }),
         (vector(-3.0, 0.5), vector(-3.0, 0.5)).prop_map(|(force, arm)| Torque::ForceWorld { force, arm }),
+        (vector(-3.0, 0.5), vector(-3.0, 0.5)).prop_map(|(dipole, field)| Torque::MagneticDipole { dipole, field }),
         decades(-3.0, 0.0).prop_map(|mean_motion| Torque::GravityGradient { mean_motion }),
     ]
 }
@@ -52,7 +53,16 @@ pub fn loaded() -> impl Strategy<Value = Problem> {
                 Torque::MomentumBrake { rate } => Torque::MomentumBrake { rate: rate * spin },
                 Torque::ForceBody { force, arm } => Torque::ForceBody { force: force * moment_unit, arm },
                 Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: force * moment_unit, arm },
+                other @ (Torque::ProfileBody { .. }
+                | Torque::ProfileWorld { .. }
+                | Torque::ForceProfileBody { .. }
+                | Torque::ForceProfileWorld { .. }
+                | Torque::Rotor { .. }) => other,
+                Torque::MagneticDipole { dipole, field } => {
+                    Torque::MagneticDipole { dipole: dipole * moment_unit, field }
+                }
                 Torque::GravityGradient { mean_motion } => Torque::GravityGradient { mean_motion: mean_motion * spin },
+                Torque::General(_) => unreachable!("none is drawn"),
             };
             Load { torque, window: Window { start: window.start / spin, end: window.end / spin } }
         });
@@ -127,7 +137,9 @@ proptest! {
         for load in &mut turned.loads {
             match &mut load.torque {
                 Torque::ConstantWorld { moment } => *moment = turn * *moment,
-                Torque::ForceWorld { force, .. } => *force = turn * *force,
+                Torque::ForceWorld { force: vector, .. } | Torque::MagneticDipole { field: vector, .. } => {
+                    *vector = turn * *vector;
+                }
                 _ => {}
             }
         }

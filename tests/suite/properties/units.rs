@@ -21,7 +21,14 @@ fn in_units(problem: &Problem, mass: f64, rate: f64) -> Problem {
             Torque::MomentumBrake { rate: brake } => Torque::MomentumBrake { rate: brake * rate },
             Torque::ForceBody { force, arm } => Torque::ForceBody { force: force * torque, arm },
             Torque::ForceWorld { force, arm } => Torque::ForceWorld { force: force * torque, arm },
+            Torque::ProfileBody { .. }
+            | Torque::ProfileWorld { .. }
+            | Torque::ForceProfileBody { .. }
+            | Torque::ForceProfileWorld { .. }
+            | Torque::Rotor { .. } => unreachable!("loads that are constants"),
+            Torque::MagneticDipole { dipole, field } => Torque::MagneticDipole { dipole: dipole * torque, field },
             Torque::GravityGradient { mean_motion } => Torque::GravityGradient { mean_motion: mean_motion * rate },
+            Torque::General(_) => unreachable!("none is drawn"),
         };
         Load { torque: scaled, window: Window { start: load.window.start / rate, end: load.window.end / rate } }
     });

@@ -79,13 +79,14 @@ fn plain(table: &Table) -> String {
     text
 }
 
-/// A row for every kind, those of its keys below it, and last the keys that every kind has.
+/// A row for every kind, those of its keys below it, and last the keys that every kind has, or every one but one.
 fn of_kinds(kinds: &[(&Key, &Table)]) -> String {
     let mut text = "| kind | key | type, unit | range | left out | means |\n|---|---|---|---|---|---|\n".to_owned();
+    let has = |table: &Table, key: &Key| table.keys.iter().any(|k| (&k.name, &k.schema) == (&key.name, &key.schema));
+    let without = |key: &Key| kinds.iter().filter(|(_, table)| !has(table, key)).map(|(kind, _)| &kind.name).collect();
     let is_common = |key: &Key| {
-        let has =
-            |(_, table): &(&Key, &Table)| table.keys.iter().any(|k| (&k.name, &k.schema) == (&key.name, &key.schema));
-        kinds.iter().all(has)
+        let without: Vec<_> = without(key);
+        without.is_empty() || without.len() == 1 && kinds.len() > 5
     };
     for (kind, table) in kinds {
         let _ = writeln!(text, "| `{}` | | | | | {} |", kind.name, words(kind).0);
@@ -94,8 +95,15 @@ fn of_kinds(kinds: &[(&Key, &Table)]) -> String {
         }
     }
     let common = kinds.first().into_iter().flat_map(|(_, table)| &table.keys).filter(|key| is_common(key));
-    for (index, key) in common.enumerate() {
-        let _ = writeln!(text, "|{}| `{}` | {} |", if index == 0 { " every one " } else { " " }, key.name, row(key));
+    let mut said = None;
+    for key in common {
+        let whose = match without(key).as_slice() {
+            [] => "every one".to_owned(),
+            names => format!("every one but `{}`", names[0]),
+        };
+        let cell = if said.as_ref() == Some(&whose) { " ".to_owned() } else { format!(" {whose} ") };
+        let _ = writeln!(text, "|{cell}| `{}` | {} |", key.name, row(key));
+        said = Some(whose);
     }
     text
 }
@@ -146,12 +154,19 @@ fn of_type(schema: &Value) -> String {
             if inner["type"] == "array" {
                 format!("{count} × {}", of_type(inner))
             } else {
-                format!("{count} {}s", of_type(inner))
+                format!("{count} {}", several(inner))
             }
         }
-        (Some("array"), ..) => format!("list of {}s", of_type(&schema["items"])),
+        (Some("array"), ..) if schema["items"]["type"] == "array" => {
+            format!("lists of {}", several(&schema["items"]["items"]))
+        }
+        (Some("array"), ..) => format!("list of {}", several(&schema["items"])),
         _ => panic!("no words for {schema:#}"),
     }
+}
+
+fn several(schema: &Value) -> String {
+    of_type(schema) + "s"
 }
 
 /// The names that a text may be.

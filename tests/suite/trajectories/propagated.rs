@@ -161,7 +161,7 @@ fn hash(name: &str, problem: &Problem, times: &[f64], fresh: &dyn Fn(&Problem) -
     for times in times.chunks(batch) {
         propagator.fill(times, &mut states).unwrap_or_else(|error| panic!("{name}: {error}"));
         derivation.derive(times, &states, &mut samples);
-        let States { attitude, angular_velocity, position, velocity } = &states;
+        let States { attitude, angular_velocity, position, velocity, .. } = &states;
         let all = attitude.iter().chain(angular_velocity).chain(position).chain(velocity).chain(samples.columns());
         for (index, column) in all.enumerate() {
             columns.resize(columns.len().max(index + 1), Hash::EMPTY);

@@ -1,4 +1,6 @@
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::body::{AngularVelocity, Attitude};
 use crate::dynamics::{Problem, Torque};
@@ -18,13 +20,25 @@ pub fn nudged(problem: &Problem, mut pattern: u64) -> Problem {
     let rates = problem.initial.angular_velocity.in_body().map(&mut nudge);
     problem.initial.angular_velocity = AngularVelocity::from_vector(rates);
     for load in &mut problem.loads {
+        if let Some(profile) = load.torque.profile_mut() {
+            *profile = Arc::new(profile.transformed(&Matrix3::from_diagonal(&Vector3::repeat(1.0).map(&mut nudge))));
+        }
         let mut vector = |v: &mut Vector3<f64>| *v = v.map(&mut nudge);
         match &mut load.torque {
             Torque::ConstantBody { moment } | Torque::ConstantWorld { moment } => vector(moment),
             Torque::ForceBody { force, .. } | Torque::ForceWorld { force, .. } => vector(force),
+            Torque::MagneticDipole { field, .. } => vector(field),
+            // Done already.
+            Torque::ProfileBody { .. }
+            | Torque::ProfileWorld { .. }
+            | Torque::ForceProfileBody { .. }
+            | Torque::ForceProfileWorld { .. }
+            | Torque::Rotor { .. } => {}
             Torque::MomentumBrake { rate } => *rate = nudge(*rate),
             Torque::LinearDamping { coefficient } => *coefficient = nudge(*coefficient),
             Torque::GravityGradient { mean_motion } => *mean_motion = nudge(*mean_motion),
+            // Its numbers stand as they are; the start is off all the same.
+            Torque::General(_) => {}
         }
     }
     problem

@@ -1,0 +1,78 @@
+use super::propagator::Bilinear;
+use super::step_size::order_for;
+use crate::dynamics::Problem;
+use crate::propagation::general::GeneralTaylor;
+use crate::propagation::{Effort, PropagationError, Propagator, States};
+
+/// Motion under any loads, by Taylor series of high order with dense output `[JZ05]`.
+///
+/// The state is carried with more digits than f64, steps stop exactly where a load starts or ends and where a function
+/// of time has a knot, and no step is ever thrown away: its length follows from the series. Where the steps lie does not
+/// depend on the sample times. Loads of a [`General`](crate::dynamics::General) kind go by a tape of operations, all others
+/// by recurrences laid out by hand.
+#[derive(Debug, Clone)]
+pub struct Taylor(Way);
+
+#[derive(Debug, Clone)]
+enum Way {
+    ByHand(Box<Bilinear>),
+    ByTape(Box<GeneralTaylor>),
+}
+
+impl Taylor {
+    /// From a problem and the error allowed per step: rad of attitude, and relative in the rates.
+    ///
+    /// The order follows from `tolerance`, up to 24; below 1e-17 nothing is gained.
+    ///
+    /// # Errors
+    /// [`PropagationError::NotCovered`] if the tolerance is not between 0 and 1, a force moves a body of unknown mass,
+    /// or two orbits act at once.
+    pub fn new(problem: &Problem, tolerance: f64) -> Result<Self, PropagationError> {
+        let not_covered = |rule| PropagationError::NotCovered { method: "Taylor", rule };
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(not_covered("its tolerance must lie between 0 and 1"));
+        }
+        let way = if problem.is_general() {
+            GeneralTaylor::new(problem, order_for(tolerance), tolerance).map(|way| Way::ByTape(Box::new(way)))
+        } else {
+            Bilinear::new(problem, tolerance).map(|way| Way::ByHand(Box::new(way)))
+        };
+        way.map(Self).map_err(|error| not_covered(error.rule()))
+    }
+
+    /// The order of its series.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        match &self.0 {
+            Way::ByHand(way) => way.order(),
+            Way::ByTape(way) => way.order(),
+        }
+    }
+
+    /// Goes on towards `time`, s, by so many steps at most; how far it has come, s. Earlier times are then past.
+    ///
+    /// # Errors
+    /// If the state ceases to be finite or a step cannot be made small enough.
+    pub fn reach(&mut self, time: f64, steps: u64) -> Result<f64, PropagationError> {
+        match &mut self.0 {
+            Way::ByHand(way) => way.reach(time, steps),
+            Way::ByTape(way) => way.reach(time, steps),
+        }
+    }
+}
+
+impl Propagator for Taylor {
+    fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
+        match &mut self.0 {
+            Way::ByHand(way) => way.fill(times, states),
+            Way::ByTape(way) => way.fill(times, states),
+        }
+    }
+
+    fn effort(&self) -> Effort {
+        match &self.0 {
+            Way::ByHand(way) => way.effort(),
+            Way::ByTape(way) => way.effort(),
+        }
+    }
+}
