@@ -1,5 +1,5 @@
 use super::{Grid, Path, PlannedBody};
-use crate::propagation::{PropagationError, States};
+use crate::propagation::{Dop853, PropagationError, Propagator, Taylor};
 
 /// What a run of one body is expected to cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,43 +14,35 @@ pub struct Cost {
 
 /// Steps that are tried.
 const TRIED: u64 = 1000;
-/// How often a run is halved in search of a part that is short enough.
-const HALVINGS: i32 = 60;
 
 impl PlannedBody {
-    /// What a run to the end of `grid` costs: asked of a trial of a thousand steps or some more.
+    /// What a run to the end of `grid` costs: asked of a trial of a thousand steps.
     ///
     /// # Errors
     /// If the trial cannot be propagated.
     pub fn cost(&self, grid: &Grid) -> Result<Cost, PropagationError> {
         let (steps, is_estimate) = match self.path {
             Path::FixedStep { step, .. } => (equal_steps(grid, step), false),
-            Path::Taylor { .. } | Path::Dop853 { .. } => self.tried(grid.end())?,
+            Path::Taylor { tolerance } => {
+                let mut trial = Taylor::new(&self.problem, tolerance)?;
+                let reached = trial.reach(grid.end(), TRIED)?;
+                carried_on(trial.effort().steps, reached, grid.end())
+            }
+            Path::Dop853 { tolerance } => {
+                let mut trial = Dop853::new(&self.problem, tolerance)?;
+                let reached = trial.reach(grid.end(), TRIED)?;
+                carried_on(trial.effort().steps, reached, grid.end())
+            }
             Path::ClosedForm | Path::LagrangeTop | Path::MomentumBrake | Path::AxialTorque => (0, false),
         };
         Ok(Cost { samples: grid.len(), steps, is_estimate })
     }
+}
 
-    /// Steps until `end`, s, and whether that is an estimate.
-    #[expect(
-        clippy::cast_precision_loss,
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "an estimate"
-    )]
-    fn tried(&self, end: f64) -> Result<(u64, bool), PropagationError> {
-        let mut propagator = self.propagator()?;
-        let mut states = States::default();
-        for halvings in (0..=HALVINGS).rev() {
-            let time = libm::ldexp(end, -halvings);
-            propagator.fill(&[time], &mut states)?;
-            let steps = propagator.effort().steps;
-            if steps > TRIED && halvings > 0 {
-                return Ok((libm::ldexp(steps as f64, halvings) as u64, true));
-            }
-        }
-        Ok((propagator.effort().steps, false))
-    }
+/// Steps until `end`, s, if those until `reached` go on so, and whether that is an estimate.
+#[expect(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an estimate")]
+fn carried_on(steps: u64, reached: f64, end: f64) -> (u64, bool) {
+    if reached < end { ((steps as f64 * (end / reached)) as u64, true) } else { (steps, false) }
 }
 
 /// Steps of a method that takes equal ones, `longest` at most, from sample to sample.

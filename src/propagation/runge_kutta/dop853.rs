@@ -90,6 +90,19 @@ impl Dop853 {
         })
     }
 
+    /// Goes on towards `time`, s, by so many steps at most; how far it has come, s. Earlier times are then past.
+    ///
+    /// # Errors
+    /// If the state ceases to be finite or a step cannot be made small enough.
+    pub fn reach(&mut self, time: f64, steps: u64) -> Result<f64, PropagationError> {
+        let limit = self.effort.steps.saturating_add(steps);
+        while self.time < time && self.effort.steps < limit {
+            self.advance()?;
+        }
+        self.latest = self.latest.max(self.time.min(time));
+        Ok(self.latest)
+    }
+
     /// Makes one step, trying until its error is small enough.
     fn advance(&mut self) -> Result<(), PropagationError> {
         if self.time >= self.equations.span().end {

@@ -2,7 +2,7 @@
 
 use super::path::{closed_form, fixed_step};
 use crate::dynamics::{Problem, Schedule, Torque};
-use crate::propagation::{Propagator, States, Taylor};
+use crate::propagation::Taylor;
 use crate::scenario::{Key, Method, Refusal, Scenario};
 
 /// Steps of a run at most: hours.
@@ -15,8 +15,6 @@ const TRIED: u64 = 2000;
 const MOST_SPANS: usize = 1000;
 /// Of a step of the trial, rad: how many there are hardly depends on it.
 const TOLERANCE: f64 = 1e-6;
-/// The exponent of the smallest number.
-const DEEPEST: i32 = 1074;
 
 /// Refuses what would take more than 1e11 steps or 1e15 turns, or cannot be stepped at all, until `end`, s.
 pub fn check(scenario: &Scenario, problem: &Problem, moves: bool, end: f64) -> Result<(), Refusal> {
@@ -49,40 +47,28 @@ fn turns(key: &Key, problem: &Problem, end: f64) -> Result<(), Refusal> {
     Err(key.refuse(rule))
 }
 
-/// Of a stepper: a short trial of each span, at times that double, as the number of steps then grows by small factors
-/// from one to the next, however fast the body is driven.
+/// Of a stepper: a short trial of each span, no longer than its steps allow, whatever comes later.
 fn steps(key: &Key, problem: &Problem, end: f64) -> Result<(), Refusal> {
     let refuse = |what: &dyn std::fmt::Display| key.refuse(format_args!("{end:?} s cannot be propagated: {what}"));
     let schedule = Schedule::new(problem).map_err(|error| refuse(&error))?;
     let mut trial = Taylor::new(problem, TOLERANCE).map_err(|error| refuse(&error))?;
-    let mut states = States::default();
     let bounds = (0..schedule.count().min(MOST_SPANS)).map(|index| schedule.bounds(index));
     for (start, span_end) in bounds.filter(|(start, _)| *start < end) {
-        let length = span_end.min(end) - start;
-        let before = trial.effort().steps;
-        // Later, time itself is no finer than this.
-        let halvings = if start > 0.0 { exponent(length / start) + 52 } else { DEEPEST };
-        for halvings in (0..=halvings.max(0)).rev() {
-            let passed = libm::ldexp(length, -halvings);
-            trial.fill(&[start + passed], &mut states).map_err(|error| refuse(&error))?;
-            let made = trial.effort().steps - before;
-            if made > TRIED {
-                let mean = passed / count(made);
-                let wanted = (end - start) / mean;
-                if wanted > MOST_STEPS {
-                    let rule = format!("steps of {mean:.1e} s, {wanted:.1e} of them: at most {MOST_STEPS:e}");
-                    return Err(refuse(&rule));
-                }
-                return Ok(());
+        let target = span_end.min(end);
+        let half_way = trial.reach(target, TRIED / 2).map_err(|error| refuse(&error))?;
+        let reached = trial.reach(target, TRIED / 2).map_err(|error| refuse(&error))?;
+        if reached < target {
+            // A span may begin slowly.
+            let mean = (reached - half_way) / count(TRIED / 2);
+            let wanted = (end - start) / mean;
+            if wanted > MOST_STEPS {
+                let rule = format!("steps of {mean:.1e} s, {wanted:.1e} of them: at most {MOST_STEPS:e}");
+                return Err(refuse(&rule));
             }
+            return Ok(());
         }
     }
     Ok(())
-}
-
-/// Of two in a positive number, about.
-fn exponent(value: f64) -> i32 {
-    if value > 0.0 && value.is_finite() { libm::ilogb(value) } else { 0 }
 }
 
 #[expect(clippy::cast_precision_loss, reason = "a few thousand")]

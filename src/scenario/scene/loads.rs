@@ -190,6 +190,7 @@ windowed! {
         point_m: [f64; 3],
         /// `[on, off]` or `[on, off, share]` of each: s, s, and the share of the full level; left out: it is periodic.
         #[cfg_attr(feature = "serde", serde(default))]
+        #[cfg_attr(feature = "schema", schemars(transform = structure::pulses))]
         pulses_s: Option<Vec<Vec<f64>>>,
         /// From one pulse's start to the next's, s; left out: the pulses are listed.
         #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]

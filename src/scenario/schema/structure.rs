@@ -61,6 +61,12 @@ pub fn thruster(schema: &mut Schema) {
     schema.insert("oneOf".into(), choices(&[json!(["pulses_s"]), json!(["period_s", "duty"])]));
 }
 
+/// `[on, off]` or `[on, off, share]`.
+pub fn pulses(schema: &mut Schema) {
+    let pulse = json!({ "type": "array", "items": { "type": "number", "minimum": 0 }, "minItems": 2, "maxItems": 3 });
+    schema.insert("items".into(), pulse);
+}
+
 /// A constant momentum or scheduled ones.
 pub fn rotor(schema: &mut Schema) {
     schema.insert("oneOf".into(), choices(&[json!(["momentum_n_m_s"]), json!(["times_s", "momenta_n_m_s"])]));
