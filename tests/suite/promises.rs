@@ -2,7 +2,7 @@
 
 use polhode::dynamics::{Load, Problem, Window};
 use polhode::propagation::{Effort, PreciseTaylor, States, attitude_distance};
-use polhode::scenario::{Grid, Method, Path, PlannedBody};
+use polhode::scenario::{Grid, Method, Path, Plan, PlannedBody, Scenario, library};
 
 use crate::motions::{MOMENTS, RATES, every_torque, problem};
 use crate::planned;
@@ -127,4 +127,16 @@ fn a_run_too_long_to_be_tried_says_how_far_it_was() {
     let reason = body.keeping(Method::Taylor, 1e-3, &long).expect("a yardstick").reason;
     println!("{reason}");
     assert!(reason.contains("tried to t = "), "{reason}");
+}
+
+/// A brick that bounces on a cord and does not turn keeps any promise of its attitude; its way must come out as well.
+#[test]
+fn the_way_of_a_body_that_does_not_turn_is_kept_too() {
+    let text = library::text("tether").expect("a scene");
+    let scenario = Scenario::parse(text, "tether", &["tolerance_rad=1e-6".to_owned()]).expect("a scene");
+    let plan = Plan::new(&scenario).expect("a plan");
+    let mut states = States::default();
+    plan.bodies[0].propagator().expect("covered").fill(&[6.0], &mut states).expect("a finite motion");
+    let due = -0.5405 - 0.2595 * (20.0_f64.sqrt() * 6.0).cos();
+    assert!((states.position[2][0] - due).abs() < 1e-5, "{} m, due {due} m", states.position[2][0]);
 }

@@ -190,14 +190,18 @@ fn examples_of_the_manual_are_scenes_that_pass_their_checks() {
 }
 
 /// Of attitude, rad, and of ω and L, relative: the steppers' roundings over a whole scene.
-const CERTIFIED: f64 = 3e-14;
+const CERTIFIED: f64 = 2e-14;
 /// The same where a swing all but reaches upright, again and again, and of a top that comes near motions which are not
 /// stable: there a rounding of the start grows a thousandfold.
 const CERTIFIED_NEAR_UPRIGHT: f64 = 2e-13;
+/// The same under controllers that switch hundreds of times, and leave a spin that goes on for a hundred turns.
+const CERTIFIED_UNDER_CONTROL: f64 = 1e-13;
+/// Where a cord grows taut with a jerk, again and again: each multiplies what roundings did.
+const CERTIFIED_JERKED: f64 = 1e-12;
 /// Some hundred times as many turns as the reference can follow: its certificate must say that it does not reach.
 const BEYOND_REACH: &str = "gravity_probe_b";
-/// Of position, m, where distances are metres.
-const CERTIFIED_M: f64 = 2e-15;
+/// Of position, m, where distances are metres: so much of what is allowed to the attitude.
+const CERTIFIED_M: f64 = 0.1;
 
 #[test]
 fn every_scene_is_certified_to_rounding_to_its_end() {
@@ -217,10 +221,16 @@ fn every_scene_is_certified_to_rounding_to_its_end() {
                 certificate.angular_momentum_relative,
             ];
             let is_touchy = ["swing_85", "pitch_85", "cross"].contains(&body.name.as_str());
-            let limit = if is_touchy { CERTIFIED_NEAR_UPRIGHT } else { CERTIFIED };
+            let limit = match name {
+                _ if plan.tolerance_rad.is_some() => plan.tolerance_rad.unwrap_or_default(),
+                _ if is_touchy => CERTIFIED_NEAR_UPRIGHT,
+                "tether" => CERTIFIED_JERKED,
+                "detumbling" => CERTIFIED_UNDER_CONTROL,
+                _ => CERTIFIED,
+            };
             assert!(relative.iter().flatten().all(|error| *error < limit), "{name}, {}: {certificate:?}", body.name);
             assert!(
-                certificate.position_m.is_none_or(|error| error < CERTIFIED_M),
+                certificate.position_m.is_none_or(|error| error < CERTIFIED_M * limit),
                 "{name}, {}: {certificate:?}",
                 body.name
             );
@@ -230,7 +240,7 @@ fn every_scene_is_certified_to_rounding_to_its_end() {
             assert_eq!(certificate.covered_to_s.to_bits(), plan.grid.end().to_bits(), "{name}");
             assert_eq!(certificate.method, body.path.name(), "{name}");
             assert_eq!(certificate.reference, "Taylor series in double-double", "{name}");
-            assert!(certificate.keeps(plan.tolerance_rad.unwrap_or(1e-13)), "{name}: {certificate:?}");
+            assert!(certificate.keeps(plan.tolerance_rad.unwrap_or(limit.max(1e-13))), "{name}: {certificate:?}");
         }
     }
 }

@@ -32,16 +32,19 @@ pub(super) fn write<W: Write>(
     let mut scene = scene(&mut blueprint, plan, picture, &trace)?;
     let mut words = words(&mut blueprint, plan)?;
     let mut shares = [5.0, 2.0];
-    let mut construction = super::near_views::write(&mut blueprint, plan, picture)?;
-    construction.extend(super::poinsot_views::write(&mut blueprint, plan, picture, &trace)?);
+    let mut beside = super::near_views::write(&mut blueprint, plan, picture)?;
+    let mut construction = super::poinsot_views::write(&mut blueprint, plan, picture, &trace)?;
     let tabs = |parts| Container { kind: ContainerKind::Tabs, name: "", parts, shares: &[] };
-    if !construction.is_empty() && plan.bodies.len() > 1 {
+    if plan.bodies.len() == 1 {
+        beside.append(&mut construction);
+    } else if !construction.is_empty() {
         // Each body has a view: they need the room of the scene.
         construction.insert(0, scene);
         scene = blueprint.container(&tabs(&construction))?;
-    } else if !construction.is_empty() {
-        let construction = blueprint.container(&tabs(&construction))?;
-        let parts = [construction, words];
+    }
+    if !beside.is_empty() {
+        let beside = blueprint.container(&tabs(&beside))?;
+        let parts = [beside, words];
         let row = Container { kind: ContainerKind::Horizontal, name: "", parts: &parts, shares: &[] };
         words = blueprint.container(&row)?;
         shares = [4.0, 3.0];

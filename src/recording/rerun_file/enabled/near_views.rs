@@ -2,9 +2,8 @@ use std::io::Write;
 
 use nalgebra::Vector3;
 use re_sdk_types::blueprint::archetypes::LineGrid3D;
-use re_sdk_types::blueprint::components::ContainerKind;
 
-use super::blueprint::{Blueprint, Container, Part};
+use super::blueprint::{Blueprint, Part};
 use super::poinsot_views::{look, new_view};
 use super::statics::BodyEntities;
 use crate::recording::RecordingError;
@@ -14,7 +13,7 @@ use crate::scenario::Plan;
 /// How far the camera is from the body, in its extents.
 const DISTANCE: f64 = 4.6;
 
-/// For bodies that travel far a view that goes along with the reference point and does not turn; no part for others.
+/// For bodies that travel far a view that goes along with the reference point and does not turn; none for others.
 ///
 /// # Errors
 /// If it cannot be written.
@@ -34,10 +33,6 @@ pub(super) fn write<W: Write>(
         look(blueprint, &view, (eye, Vector3::zeros()), Vector3::z())?;
         blueprint.set(&view.property("LineGrid3D"), &LineGrid3D::new().with_visible(false))?;
         views.push(view);
-    }
-    if views.len() > 1 {
-        let row = Container { kind: ContainerKind::Horizontal, name: "going along", parts: &views, shares: &[] };
-        views = vec![blueprint.container(&row)?];
     }
     Ok(views)
 }

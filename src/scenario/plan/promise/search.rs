@@ -63,7 +63,9 @@ pub struct Candidate {
 pub fn search(trials: &Trials, stepper: Stepper, promise: f64) -> Option<Candidate> {
     let allowed = 0.5 * (promise - trials.floor());
     let tightest = stepper.tightest();
-    let mut tolerance = promise.clamp(tightest, LOOSEST);
+    // No step may be farther off than the run: where nothing turns, the attitude tells nothing of the way.
+    let loosest = promise.clamp(tightest, LOOSEST);
+    let mut tolerance = loosest;
     let (mut best, mut too_loose): (Option<Candidate>, f64) = (None, f64::INFINITY);
     for _ in 0..MOST_TRIALS {
         let trial = trials.by(stepper, tolerance);
@@ -72,14 +74,14 @@ pub fn search(trials: &Trials, stepper: Stepper, promise: f64) -> Option<Candida
         match trial {
             Some(trial) if error <= allowed => {
                 best = Some(Candidate { stepper, tolerance, trial });
-                if error >= NEAR * allowed || tolerance >= LOOSEST {
+                if error >= NEAR * allowed || tolerance >= loosest {
                     break;
                 }
             }
             _ if tolerance <= tightest => break,
             _ => too_loose = tolerance,
         }
-        let next = (tolerance * step).clamp(tightest, LOOSEST);
+        let next = (tolerance * step).clamp(tightest, loosest);
         let kept = best.map_or(0.0, |best| best.tolerance);
         // Between what keeps it and what does not, once both are known.
         let next = if next >= too_loose || next <= kept { (kept * too_loose).sqrt() } else { next };
