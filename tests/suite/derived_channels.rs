@@ -303,7 +303,7 @@ fn the_jacobi_integral_stays_on_an_orbit() {
     let gradient = Torque::GravityGradient { mean_motion: 0.8 };
     let channels = [Channel::TotalEnergy, Channel::JacobiIntegral];
     // The total energy counts the flight as well.
-    let mut orbit = problem(MOMENTS, RATES, &[gradient.clone()]);
+    let mut orbit = problem(MOMENTS, RATES, std::slice::from_ref(&gradient));
     orbit.initial.velocity = Vector3::zeros();
     let times = grid(30.0, 60);
     let found = columns(&orbit, Taylor::new(&orbit, 1e-16).expect("covered"), &channels, &times);

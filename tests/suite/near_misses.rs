@@ -117,17 +117,20 @@ attitude = [1, 1, 0, 0]
     assert_eq!(Plan::new(&scenario).expect_err("the first").to_string(), found[0]);
 }
 
+fn sixty(part: impl Fn(u32) -> String) -> String {
+    (0..60).map(part).collect()
+}
+
 /// A file that is no scene at all is not answered with a page for each of its lines.
 #[test]
 fn no_more_than_fifty_faults_are_told() {
     let head = "duration_s = 1\nsample_every_s = 0.5\n";
-    let unknown: String = (0..60).map(|n| format!("zzzz{n} = 1\n")).collect();
+    let unknown = sixty(|n| format!("zzzz{n} = 1\n"));
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, unknown + head).expect("room");
     assert_eq!(Scenario::read_all(&path, &[]).expect_err("faults").len(), 50);
-    let bodies: String =
-        (0..60).map(|n| format!("[[body]]\nname = \"b{n}\"\nprincipal_moments_kg_m2 = [1, 2, 9]\n")).collect();
+    let bodies = sixty(|n| format!("[[body]]\nname = \"b{n}\"\nprincipal_moments_kg_m2 = [1, 2, 9]\n"));
     let scenario = Scenario::parse(&(head.to_owned() + &bodies), "scene.toml", &[]).expect("names and types are right");
     assert_eq!(Plan::new_all(&scenario).expect_err("faults").len(), 50);
 }

@@ -27,7 +27,9 @@ pub fn execute(arguments: &CheckArguments) -> io::Result<Outcome> {
                 values.push(json!({
                     "scene": name, "is_sound": false, "faults": faults.iter().map(fault).collect::<Vec<_>>(),
                 }));
-                faults.iter().for_each(|fault| remark(&format!("error: {fault}")));
+                for fault in &faults {
+                    remark(&format!("error: {fault}"));
+                }
             }
         }
     }

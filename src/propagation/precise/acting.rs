@@ -86,12 +86,13 @@ impl Acting {
     /// Moments and forces, not yet divided by moments of inertia and mass.
     fn add(&mut self, torque: &Torque, inertia: &Vector) {
         match *torque {
-            // Drivers.
+            // Drivers; and a problem with general loads goes by the general path, and not this way.
             Torque::ProfileBody { .. }
             | Torque::ProfileWorld { .. }
             | Torque::ForceProfileBody { .. }
             | Torque::ForceProfileWorld { .. }
-            | Torque::Rotor { .. } => {}
+            | Torque::Rotor { .. }
+            | Torque::General(_) => {}
             Torque::ConstantBody { moment } => add(&mut self.moment, moment),
             Torque::LinearDamping { coefficient } => add(&mut self.damping, Vector3::repeat(coefficient)),
             Torque::MomentumBrake { rate } => {
@@ -118,8 +119,6 @@ impl Acting {
                 let factors = std::array::from_fn(|i| before[i] + self.coupling[i] * strength);
                 self.gradient = Some((factors, mean_motion));
             }
-            // A problem with one goes by the general path, and not this way.
-            Torque::General(_) => {}
         }
     }
 

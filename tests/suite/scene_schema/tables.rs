@@ -59,7 +59,8 @@ impl Table {
         let mut text = String::new();
         for (depth, is_list) in self.is_list.iter().enumerate() {
             let path = parts[..=depth].join(".");
-            text += &if *is_list { format!("[[{path}]]\n") } else { format!("[{path}]\n") };
+            let (open, close) = if *is_list { ("[[", "]]\n") } else { ("[", "]\n") };
+            text.extend([open, path.as_str(), close]);
         }
         // So far from every key that none is suggested.
         let error = Scenario::parse(&(text + "zzzzzzzzzzzz = 1\n"), "probe.toml", &[]).expect_err("no such key");

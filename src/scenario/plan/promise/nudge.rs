@@ -28,17 +28,16 @@ pub fn nudged(problem: &Problem, mut pattern: u64) -> Problem {
             Torque::ConstantBody { moment } | Torque::ConstantWorld { moment } => vector(moment),
             Torque::ForceBody { force, .. } | Torque::ForceWorld { force, .. } => vector(force),
             Torque::MagneticDipole { field, .. } => vector(field),
-            // Done already.
+            // Done already; the numbers of general loads stand as they are, and the start is off all the same.
             Torque::ProfileBody { .. }
             | Torque::ProfileWorld { .. }
             | Torque::ForceProfileBody { .. }
             | Torque::ForceProfileWorld { .. }
-            | Torque::Rotor { .. } => {}
+            | Torque::Rotor { .. }
+            | Torque::General(_) => {}
             Torque::MomentumBrake { rate } => *rate = nudge(*rate),
             Torque::LinearDamping { coefficient } => *coefficient = nudge(*coefficient),
             Torque::GravityGradient { mean_motion } => *mean_motion = nudge(*mean_motion),
-            // Its numbers stand as they are; the start is off all the same.
-            Torque::General(_) => {}
         }
     }
     problem
