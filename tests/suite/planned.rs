@@ -96,6 +96,7 @@ pub fn picture(plan: &Plan) -> Picture {
         spin_axis: Vector3::z(),
         position: Vector3::new(0.0, 0.0, 1.5),
         travels: body.channels.contains(&Channel::Position),
+        cords: Vec::new(),
         poinsot: Poinsot::of(body),
     };
     Picture {

@@ -1,6 +1,7 @@
 //! What a run looks like, decided once for all picture formats: scales, colours, camera, rate.
 
 pub(super) mod camera;
+mod cord;
 pub(super) mod pace;
 mod poinsot;
 mod powers;
@@ -11,6 +12,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::telemetry::{BodySamples, Channel};
 
+pub use cord::Cord;
 pub use poinsot::Poinsot;
 
 /// How to draw a plan.
@@ -53,6 +55,8 @@ pub struct BodyPicture {
     pub position: Vector3<f64>,
     /// Whether the reference point goes so far that the body is small in the picture of all its way.
     pub travels: bool,
+    /// The springs that hold it.
+    pub cords: Vec<Cord>,
     /// Its rolling ellipsoid, if it turns freely and what is recorded tells how.
     pub poinsot: Option<Poinsot>,
 }

@@ -1,7 +1,7 @@
 use nalgebra::Vector3;
 
 use super::camera::{self, Room};
-use super::{Arrow, BodyPicture, Picture, Poinsot, Quantity, pace, powers, scale};
+use super::{Arrow, BodyPicture, Cord, Picture, Poinsot, Quantity, pace, powers, scale};
 use crate::propagation::PropagationError;
 use crate::scenario::{Plan, PlannedBody};
 use crate::telemetry::{BodySamples, Channel};
@@ -38,6 +38,8 @@ struct Look {
     lowest: Vector3<f64>,
     highest: Vector3<f64>,
     extent: f64,
+    /// Where the cords that hold it are fixed, m.
+    anchors: Vec<Vector3<f64>>,
     /// The largest number of each channel that is recorded.
     sizes: Vec<(Channel, f64)>,
 }
@@ -45,7 +47,9 @@ struct Look {
 impl Look {
     /// What the body with its arrows takes of the picture, if the largest is of this size.
     fn room(&self, size: f64) -> Room {
-        Room { lowest: self.lowest, highest: self.highest, radius: REACH * size }
+        let lowest = self.anchors.iter().fold(self.lowest, |lowest, anchor| lowest.inf(anchor));
+        let highest = self.anchors.iter().fold(self.highest, |highest, anchor| highest.sup(anchor));
+        Room { lowest, highest, radius: REACH * size }
     }
 }
 
@@ -103,6 +107,7 @@ fn look(body: &PlannedBody, times: &[f64]) -> Result<Look, PropagationError> {
         momentum: vectors(Channel::AngularMomentumWorld).next().unwrap_or_default(),
         lowest: vectors(Channel::Position).fold(start, |lowest, position| lowest.inf(&position)),
         highest: vectors(Channel::Position).fold(start, |highest, position| highest.sup(&position)),
+        anchors: Cord::of(body).iter().map(|cord| cord.anchor).collect(),
         sizes: body.channels.iter().map(|channel| (*channel, powers::size(&samples, *channel))).collect(),
         extent: body.surfaces.iter().map(crate::body::Surface::extent).fold(0.0, f64::max),
     })
@@ -137,6 +142,7 @@ fn draw(body: &PlannedBody, look: &Look, scales: &[Option<(String, f64)>; 4], co
         spin_axis: spin_axis(body),
         position: body.problem.initial.position,
         travels: body.channels.contains(&Channel::Position) && (look.highest - look.lowest).norm() > FAR * look.extent,
+        cords: Cord::of(body),
         poinsot: Poinsot::of(body),
     }
 }

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use re_sdk_types::archetypes::{Arrows3D, Points3D, Transform3D};
 
 use super::columns::{quaternion, single, timelines};
+use super::cords::Cords;
 use super::rolling::Rolling;
 use super::scaled::Scaled;
 use super::statics::{BodyEntities, LABEL, TIP};
@@ -41,6 +42,7 @@ struct MovingBody {
     travels: bool,
     trail: Trail,
     path: Trail,
+    cords: Option<Cords>,
     rolling: Option<Rolling>,
     scaled: Option<Scaled>,
 }
@@ -77,6 +79,7 @@ impl Moving {
             body.write_along(stream, store, rows, (&self.drawn.indices, samples))?;
             body.write_arrows(stream, store, rows, (&self.drawn.indices, samples))?;
             body.write_traces(stream, store, &self.drawn, samples)?;
+            body.write_cords(stream, store, rows, (&self.drawn.indices, samples))?;
             if let Some(scaled) = &body.scaled {
                 scaled.write(stream, store, rows, (&self.drawn.indices, samples))?;
             }
@@ -120,6 +123,7 @@ impl MovingBody {
             travels: drawing.travels,
             trail: Trail::new(entities.trail.clone(), cut),
             path: Trail::new(entities.path.clone(), cut),
+            cords: Cords::new(&entities.cords, drawing),
             scaled: None,
             rolling: drawing.poinsot.as_ref().map(|poinsot| Rolling::new(&body.name, poinsot, cut)),
             entities,
@@ -205,6 +209,18 @@ impl MovingBody {
             stream.columns(store, entity, rows, columns.chain(labels))?;
         }
         Ok(())
+    }
+
+    fn write_cords<W: Write>(
+        &self,
+        stream: &mut Stream<W>,
+        store: Store,
+        rows: Rows<'_>,
+        (indices, samples): Selection<'_>,
+    ) -> Result<(), RecordingError> {
+        let Some(cords) = &self.cords else { return Ok(()) };
+        let places: Vec<_> = indices.iter().map(|index| self.position(samples, *index)).collect();
+        cords.write(stream, store, rows, (indices, samples), &places)
     }
 
     fn write_traces<W: Write>(

@@ -27,7 +27,11 @@ pub(super) fn write<W: Write>(
     for (body, drawing) in plan.bodies.iter().zip(&picture.bodies).filter(|(_, drawing)| drawing.travels) {
         let owner = if plan.bodies.len() > 1 { format!("{}: ", body.name) } else { String::new() };
         let entities = BodyEntities::new(&body.name);
-        let contents = [&entities.body, &entities.vectors].map(|seen| format!("{seen}/**"));
+        let mut seen = vec![&entities.body, &entities.vectors];
+        if !drawing.cords.is_empty() {
+            seen.push(&entities.cords);
+        }
+        let contents: Vec<_> = seen.iter().map(|seen| format!("{seen}/**")).collect();
         let view = new_view(blueprint, &format!("{owner}going along"), &entities.along, &contents)?;
         let eye = direction * (DISTANCE * drawing.extent);
         look(blueprint, &view, (eye, Vector3::zeros()), Vector3::z())?;

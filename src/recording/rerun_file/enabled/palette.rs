@@ -16,6 +16,8 @@ pub(super) const V: [u8; 3] = [204, 121, 167];
 pub(super) const TRAIL: [u8; 3] = [240, 228, 66];
 /// Of the path of the reference point.
 pub(super) const PATH: [u8; 3] = [150, 150, 150];
+/// Of the springs that hold a body.
+pub(super) const CORD: [u8; 3] = [222, 205, 170];
 /// Of the world's axes.
 pub(super) const WORLD: [u8; 3] = [170, 170, 170];
 /// Of the bodies' names.

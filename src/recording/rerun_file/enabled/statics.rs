@@ -44,6 +44,8 @@ pub(super) struct BodyEntities {
     pub(super) trail: String,
     /// Of the reference point.
     pub(super) path: String,
+    /// The springs that hold it.
+    pub(super) cords: String,
 }
 
 impl BodyEntities {
@@ -55,6 +57,7 @@ impl BodyEntities {
             vectors: format!("/world/vectors/{name}"),
             trail: format!("/world/trail/{name}"),
             path: format!("/world/path/{name}"),
+            cords: format!("/world/cords/{name}"),
         }
     }
 
@@ -126,7 +129,11 @@ fn write_body<W: Write>(
     // No thinner than a camera so far away can see.
     let width = (drawing.extent * 0.006).max(distance * 0.0012);
     stream.once(store, &entities.trail, &[], &line_style(palette::TRAIL, width))?;
-    stream.once(store, &entities.path, &[], &line_style(palette::PATH, width))
+    stream.once(store, &entities.path, &[], &line_style(palette::PATH, width))?;
+    if drawing.cords.is_empty() {
+        return Ok(());
+    }
+    stream.once(store, &entities.cords, &[], &line_style(palette::CORD, 2.0 * width))
 }
 
 /// The names of the bodies that stay where they are, below them.
