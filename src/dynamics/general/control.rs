@@ -4,7 +4,7 @@ use super::axes::{conjugate_times, rotated, times_inverse};
 use super::{Push, Symbols};
 use crate::numerics::{Node, Tape};
 
-/// Quaternion feedback `[Wie08]` §7.3: u = −k s e − d ω, e the vector part of the quaternion from the target to the body
+/// Quaternion feedback `[Wie08]`: u = −k s e − d ω, e the vector part of the quaternion from the target to the body
 /// and s = ±1 the way round; each component, in body axes, passes a dead band and a limit. Both are continuous.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct QuaternionFeedback {

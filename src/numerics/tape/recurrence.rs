@@ -1,4 +1,4 @@
-//! Coefficient k of each operation, from those of its operands up to k and its own below k `[GW08]` table 13.2, `[JZ05]` §2.
+//! Coefficient k of each operation, from those of its operands up to k and its own below k `[GW08]`, `[JZ05]` §2.
 
 use super::{Node, Scalar};
 

@@ -9,6 +9,7 @@
 mod batches;
 mod closed_forms;
 mod continuity;
+mod equivalence;
 mod free;
 mod montgomery;
 mod motions;
