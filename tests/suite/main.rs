@@ -64,6 +64,7 @@ mod oracle;
 mod order;
 #[cfg(feature = "serde")]
 mod overrides;
+mod particle_cloud;
 mod particles;
 mod planned;
 #[cfg(feature = "cli")]

@@ -1,6 +1,6 @@
 use super::promise::{Kept, Stepper, keep};
 use super::rules::{positive, unused};
-use crate::dynamics::{DynamicsError, Problem};
+use crate::dynamics::Problem;
 use crate::propagation::{AxialTorque, BrakedRotation, Coverage, FixedStepMethod, Information, LagrangeTop};
 use crate::scenario::{Grid, Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
 
@@ -77,7 +77,7 @@ pub fn choose(
             Ok((path, asked("closed_form")))
         }
         Method::Taylor => by_steps(Stepper::Taylor, problem, accuracy, &asked("taylor")),
-        Method::Dop853 if problem.inner_sphere().is_some() => Err(method_key.refuse(DynamicsError::InnerSphere.rule())),
+        Method::Dop853 if let Some(error) = problem.moves_inside() => Err(method_key.refuse(error.rule())),
         Method::Dop853 => by_steps(Stepper::Dop853, problem, accuracy, &asked("dop853")),
         // Left over: "auto".
         _ => known.map_or_else(|| automatic(problem, accuracy), |(path, reason)| Ok((path, reason.to_owned()))),
@@ -149,8 +149,8 @@ pub fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str
 
 fn with_fixed_step(scenario: &Scenario, problem: &Problem, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
     let Information { name, coverage, .. } = method.information();
-    if problem.inner_sphere().is_some() {
-        return Err(Key::root("method").refuse(DynamicsError::InnerSphere.rule()));
+    if let Some(error) = problem.moves_inside() {
+        return Err(Key::root("method").refuse(error.rule()));
     }
     if coverage == Coverage::ListedLoads && problem.is_general() {
         let rule = format_args!("\"{name}\" knows the flow of constants, couples and damping only");
