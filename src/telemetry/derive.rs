@@ -55,6 +55,9 @@ impl Derivation {
             if let Some(sphere) = self.sphere {
                 self.add_sphere(sphere, channel, &batch, &mut columns);
             }
+            if !states.cloud.particles.is_empty() {
+                self.add_particles(channel, &batch, &mut columns);
+            }
             for (place, column) in samples.channel_mut(channel).into_iter().flatten().zip(columns) {
                 *place = column;
             }
@@ -176,6 +179,22 @@ impl Derivation {
             for (column, added) in columns.iter_mut().zip(&added) {
                 column[index] += added;
             }
+        }
+    }
+
+    /// Puts the motion of particles on springs in the place of the rigid body's, and adds what the springs hold.
+    fn add_particles(&self, channel: Channel, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
+        let (Some(column), cloud) = (columns.first_mut(), &batch.states.cloud) else { return };
+        for (index, (kinetic, elastic)) in cloud.kinetic_energy.iter().zip(&cloud.elastic_energy).enumerate() {
+            let state = batch.state(index);
+            let of_whole = self.problem.mass.map_or(0.0, |mass| translational_energy(mass, &state));
+            let of_gravity = self.problem.potential_energy(batch.times[index], &state);
+            column[index] = match channel {
+                Channel::KineticEnergy => of_whole + kinetic,
+                Channel::PotentialEnergy => of_gravity + elastic,
+                Channel::TotalEnergy => of_whole + of_gravity + (kinetic + elastic),
+                _ => return,
+            };
         }
     }
 

@@ -1,4 +1,4 @@
-use super::{CheckKind, crossing, drift, extremum, montgomery, period, precession, rate, stability, value};
+use super::{CheckKind, crossing, drift, extremum, montgomery, particles, period, precession, rate, stability, value};
 use crate::propagation::PropagationError;
 use crate::scenario::{Frame, Plan, PlannedBody};
 use crate::telemetry::Channel;
@@ -105,6 +105,8 @@ impl CheckPlan {
                 stability::largest_angle(body, axis, near.as_ref(), *duration)?
             }
             CheckKind::MontgomeryPhase { period } => montgomery::phase(body, *period, self.expected)?,
+            CheckKind::InternalForces { duration } => particles::net_internal_force(body, *duration)?,
+            CheckKind::DepartureFromRigid { time } => particles::departure_from_rigid(body, *time)?,
         };
         let is_observed =
             |seen: &Observation| seen.tolerance.is_none_or(|tolerance| (measured - seen.published).abs() <= tolerance);

@@ -40,6 +40,10 @@ pub fn named(key: &Key, name: &str) -> Result<Channel, Refusal> {
 /// Why a channel cannot be told: nothing is conserved, or nothing leans.
 pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> {
     match channel {
+        Channel::EnergyDrift if problem.cloud().is_some() => Some(
+            "has no meaning here: of particles on springs total_energy holds motion and springs, and a conserved check \
+             tells its drift",
+        ),
         Channel::EnergyDrift if problem.energy_law().is_none() => {
             Some("has no meaning here: these torques conserve no energy")
         }
@@ -117,7 +121,7 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         | Torque::ForceProfileBody { arm, .. }
         | Torque::ForceProfileWorld { arm, .. } => arm.norm() > 0.0,
         Torque::Rotor { .. } => false,
-        _ => true,
+        _ => problem.cloud().is_none(),
     });
     let is_interesting = |channel: &Channel| match channel {
         Channel::Attitude | Channel::AngularVelocity | Channel::AngularMomentumWorld | Channel::RotationalEnergy => {
@@ -125,7 +129,8 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         }
         Channel::MomentBody => has_moment,
         Channel::Position | Channel::Velocity | Channel::ForceWorld | Channel::TranslationalEnergy => moves,
-        Channel::PotentialEnergy | Channel::TotalEnergy => has_potential && conserves,
+        Channel::PotentialEnergy | Channel::TotalEnergy => has_potential && conserves || problem.cloud().is_some(),
+        Channel::KineticEnergy => problem.cloud().is_some(),
         Channel::EnergyDrift => conserves,
         Channel::MomentumDrift => problem.momentum_law().is_some(),
         Channel::Slip => rolls(problem),

@@ -104,6 +104,15 @@ fn by_steps(stepper: Stepper, problem: &Problem, accuracy: &Accuracy, asked: &st
 /// Of what has no closed form.
 fn automatic(problem: &Problem, accuracy: &Accuracy) -> Result<(Path, String), Refusal> {
     let Accuracy::Promise(promise, grid) = accuracy else {
+        if let Some(cloud) = problem.cloud() {
+            let [lowest, highest] = cloud.natural_frequencies().map(|rate| rate / std::f64::consts::TAU);
+            let count = cloud.masses().len();
+            let reason = format!(
+                "springs join {count} particles, which vibrate at {lowest:.3e} to {highest:.3e} Hz: Taylor series of each one's \
+                 equation of motion"
+            );
+            return by_steps(Stepper::Taylor, problem, accuracy, &reason);
+        }
         let reason = if problem.is_general() {
             "a load has no recurrence of its own: general Taylor series, by automatic differentiation of all that acts"
         } else {

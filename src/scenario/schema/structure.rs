@@ -42,6 +42,7 @@ pub fn body(schema: &mut Schema) {
         "mass_kg": with_typed,
         "centre_of_mass_m": with_typed,
         "velocity_m_s": without_pivot,
+        "springs": { "required": ["particle"], "not": { "anyOf": ["pivot", "rotor", "torque", "force"].map(needs) } },
     });
     schema.insert("dependencies".into(), dependencies);
 }

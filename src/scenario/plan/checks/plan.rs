@@ -1,4 +1,4 @@
-use super::{channel, motion};
+use super::{channel, motion, particles};
 use crate::scenario::plan::channels::{missing_law, named};
 use crate::scenario::plan::rules::{finite, not_negative, positive, unit_vector};
 use crate::scenario::{
@@ -58,6 +58,7 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
     }
     plans.extend(channel::plan(&root, &scenario.check, bodies, end)?);
     plans.extend(motion::plan(&root, &scenario.check, bodies, end)?);
+    plans.extend(particles::plan(&root, &scenario.check, bodies, end)?);
     Ok(plans)
 }
 
