@@ -34,13 +34,13 @@ pub(crate) use plan::{MOST_BODIES, nudged};
 pub use planned::{Path, Plan, PlannedBody};
 pub use run::{Run, nanoseconds};
 pub use scene::{
-    AfterTable, BDotSpec, BodySpec, BoxSpec, BrakeSpec, Checks, ConservedSpec, DampingSpec, DepartureFromRigidSpec, DriftSpec, EllipsoidSpec,
-    Extremum, ExtremumSpec, FlipPeriodSpec, ForceFormulaSpec, ForceSpec, ForceSpecs, Frame, GravityGradientSpec,
-    InnerSphereSpec, InternalForcesSpec, MagneticDipoleSpec, MeshSpec, Method, MomentSpec, MontgomeryPhaseSpec, ObservedSpec, ParticleSpec,
-    PeriodSpec, PivotSpec, PrecessionRateSpec, Provenance, QuadraticDampingSpec, QuadraticDragSpec,
-    QuaternionFeedbackSpec, RateFeedbackSpec, RateSpec, RotorSpec, RoundSpec, Scenario, Setting, SolidSpecs,
-    SphereSpec, SpringSpec, SpringsSpec, StabilitySpec, TableSpec, ThrusterSpec, TorqueFormulaSpec, TorqueSpecs, TorusSpec,
-    ValueSpec, Verdict,
+    AfterTable, BDotSpec, BodySpec, BoxSpec, BrakeSpec, Checks, ConservedSpec, DampingSpec, DepartureFromRigidSpec,
+    DriftSpec, EllipsoidSpec, Extremum, ExtremumSpec, FlipPeriodSpec, ForceFormulaSpec, ForceSpec, ForceSpecs, Frame,
+    GravityGradientSpec, InnerSphereSpec, InternalForcesSpec, MagneticDipoleSpec, MeshSpec, Method, MomentSpec,
+    MontgomeryPhaseSpec, ObservedSpec, ParticleSpec, PeriodSpec, PivotSpec, PrecessionRateSpec, Provenance,
+    QuadraticDampingSpec, QuadraticDragSpec, QuaternionFeedbackSpec, RateFeedbackSpec, RateSpec, RotorSpec, RoundSpec,
+    Scenario, Setting, SolidSpecs, SphereSpec, SpringSpec, SpringsSpec, StabilitySpec, TableSpec, ThrusterSpec,
+    TorqueFormulaSpec, TorqueSpecs, TorusSpec, ValueSpec, Verdict,
 };
 #[cfg(feature = "schema")]
 pub use schema::schema;

@@ -19,6 +19,8 @@ mod propagator;
 mod series;
 mod start;
 mod stepper;
+#[cfg(test)]
+mod tests;
 mod vector;
 
 pub(super) use precise::PreciseCloud;

@@ -64,14 +64,14 @@ impl Springs {
     pub fn forces(&self, motion: &Motion) -> (Vec<Vector<f64>>, f64) {
         let springs = self.cloud.springs();
         let (mut forces, mut energy) = (vec![[0.0; 3]; motion.positions.len()], 0.0);
-        for ((stretch, [first, second]), rest) in self.stretches(motion).zip(self.pairs.iter()).zip(self.squares.iter()) {
+        for ((stretch, [first, second]), rest) in self.stretches(motion).zip(self.pairs.iter()).zip(self.squares.iter())
+        {
             let (square, rest_square) = (stretch.square.hi(), rest.hi());
             let length_square = rest_square + square;
             let (length, rest) = (length_square.sqrt(), rest_square.sqrt());
             let longer = square / (length + rest);
             energy += 0.5 * springs.stiffness * longer * longer;
-            let factor =
-                springs.stiffness * longer / length + springs.damping * stretch.half_rate.hi() / length_square;
+            let factor = springs.stiffness * longer / length + springs.damping * stretch.half_rate.hi() / length_square;
             for axis in 0..3 {
                 let pull = factor * stretch.between[axis].hi();
                 forces[*first][axis] += pull;

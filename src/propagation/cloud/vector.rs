@@ -54,7 +54,11 @@ pub(super) fn matrix<F: Scalar>([w, x, y, z]: [F; 4]) -> [Vector<F>; 3] {
     let (xy, xz, yz) = (twice(x, y), twice(x, z), twice(y, z));
     let (wx, wy, wz) = (twice(w, x), twice(w, y), twice(w, z));
     let [ww, xx, yy, zz] = [w * w, x * x, y * y, z * z];
-    [[ww + xx - (yy + zz), xy - wz, xz + wy], [xy + wz, ww + yy - (xx + zz), yz - wx], [xz - wy, yz + wx, ww + zz - (xx + yy)]]
+    [
+        [ww + xx - (yy + zz), xy - wz, xz + wy],
+        [xy + wz, ww + yy - (xx + zz), yz - wx],
+        [xz - wy, yz + wx, ww + zz - (xx + yy)],
+    ]
 }
 
 /// R a.

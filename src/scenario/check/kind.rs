@@ -125,7 +125,8 @@ impl CheckPlan {
             | CheckKind::InternalForces { duration }
             | CheckKind::Stability { duration, .. } => Some(duration),
             CheckKind::DepartureFromRigid { time }
-            | CheckKind::Value { time, .. } | CheckKind::Extremum { to: time, .. } => Some(time),
+            | CheckKind::Value { time, .. }
+            | CheckKind::Extremum { to: time, .. } => Some(time),
         }
     }
 

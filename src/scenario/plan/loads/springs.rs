@@ -13,12 +13,7 @@ use crate::scenario::{BodySpec, ForceSpecs, Key, Refusal, SpringsSpec, TorqueSpe
 const MOST_STRAIN: f64 = 0.1;
 
 /// Those of the body at `key`, if it has any, in principal axes.
-pub fn plan(
-    key: &Key,
-    spec: &BodySpec,
-    properties: &MassProperties,
-    initial: &State,
-) -> Result<Option<Load>, Refusal> {
+pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties, initial: &State) -> Result<Option<Load>, Refusal> {
     let Some(springs) = &spec.springs else { return Ok(None) };
     let place = key.field("springs");
     if spec.particle.is_empty() {
