@@ -130,7 +130,7 @@ impl CheckPlan {
         }
     }
 
-    /// What is measured, of which of several bodies.
+    /// What is measured, of which of several bodies or of which point.
     #[must_use]
     pub fn name(&self, bodies: &[PlannedBody]) -> String {
         let what = match &self.kind {
@@ -153,7 +153,8 @@ impl CheckPlan {
             CheckKind::InternalForces { .. } => "net internal force and moment".to_owned(),
             CheckKind::DepartureFromRigid { time } => format!("departure from the rigid body at {time} s"),
         };
-        if bodies.len() == 1 { what } else { format!("{}: {what}", bodies[self.body].name) }
+        let is_told = bodies.len() > 1 || self.point.is_some();
+        if is_told { format!("{}: {what}", self.watched(bodies).name()) } else { what }
     }
 }
 

@@ -8,6 +8,7 @@ mod loads;
 mod motion_checks;
 mod particle_checks;
 mod particles;
+mod points;
 mod scenario;
 mod solids;
 
@@ -25,5 +26,6 @@ pub use loads::{
 pub use motion_checks::{MontgomeryPhaseSpec, ObservedSpec, StabilitySpec, Verdict};
 pub use particle_checks::{DepartureFromRigidSpec, InternalForcesSpec};
 pub use particles::{ParticleSpec, SpringsSpec};
+pub use points::{ImuSpec, ProbeSpec};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};
