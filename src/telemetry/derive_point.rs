@@ -1,5 +1,5 @@
 use super::batch::Batch;
-use super::{BodySamples, Channel, Point, PointKind};
+use super::{BodySamples, Channel, Point, PointKind, particle};
 use crate::dynamics::Problem;
 use crate::propagation::States;
 
@@ -23,6 +23,7 @@ impl PointDerivation {
         for channel in Channel::ALL {
             let Some(columns) = samples.channel_mut(channel) else { continue };
             match &self.kind {
+                PointKind::Particle(number) => particle::read(&self.problem, *number, channel, &batch, columns),
                 PointKind::Mounted(mounting) => mounting.read(&self.problem, channel, &batch, columns),
             }
         }

@@ -11,6 +11,7 @@ mod euler_angles;
 mod figure;
 mod figure_frame;
 mod mounting;
+mod particle;
 mod point;
 mod polhode;
 mod samples;

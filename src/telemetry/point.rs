@@ -16,6 +16,8 @@ pub struct Point {
 pub enum PointKind {
     /// A probe or an IMU, fixed in the body.
     Mounted(Mounting),
+    /// A particle of this number, of a cloud on springs.
+    Particle(usize),
 }
 
 impl Point {

@@ -2,16 +2,17 @@ use std::collections::HashSet;
 
 use nalgebra::Vector3;
 
-use super::rules::{optional_vector, rotation, vector};
+use super::rules::{optional_vector, rotation, unused, vector};
 use crate::body::MassProperties;
 use crate::scenario::{BodySpec, Frame, Key, Refusal};
 use crate::telemetry::{Channel, Mounting, Point, PointKind};
 
 const IN_WORLD: [Channel; 3] = [Channel::Position, Channel::Velocity, Channel::Acceleration];
 const IN_BODY: [Channel; 3] = [Channel::PositionBody, Channel::VelocityBody, Channel::AccelerationBody];
+const OF_PARTICLE: [Channel; 4] = [Channel::Position, Channel::Velocity, Channel::ForceWorld, Channel::Acceleration];
 const OF_IMU: [Channel; 2] = [Channel::Gyroscope, Channel::Accelerometer];
 
-/// The probes of the body at `key`, called `body`, then its IMUs.
+/// The probes of the body at `key`, called `body`, then its IMUs, then its particles if springs join them.
 pub fn plan(key: &Key, spec: &BodySpec, body: &str, properties: &MassProperties) -> Result<Vec<Point>, Refusal> {
     let gravity = optional_vector(&key.field("gravity_m_s2"), spec.gravity_m_s2)?;
     let principal_from_body = properties.body_from_principal.inverse();
@@ -45,6 +46,28 @@ pub fn plan(key: &Key, spec: &BodySpec, body: &str, properties: &MassProperties)
         let body_from_sensor = rotation(&key.field("attitude"), imu.attitude)?.world_from_body();
         mounting.principal_from_axes *= body_from_sensor;
         points.push(Point { name, channels: OF_IMU.to_vec(), kind: PointKind::Mounted(mounting) });
+    }
+    points.extend(particles(key, spec, body)?);
+    Ok(points)
+}
+
+/// Each particle, where springs join them: under its name, or p1, p2 and so on.
+fn particles(key: &Key, spec: &BodySpec, body: &str) -> Result<Vec<Point>, Refusal> {
+    let (mut points, mut names) = (Vec::new(), HashSet::new());
+    for (index, particle) in spec.particle.iter().enumerate() {
+        let name_key = key.field("particle").index(index).field("name");
+        if spec.springs.is_none() {
+            let rule = "particles of a rigid body are not recorded one by one; a probe is";
+            unused(&name_key, particle.name.as_ref(), rule)?;
+            continue;
+        }
+        let name = particle.name.clone().unwrap_or_else(|| format!("p{}", index + 1));
+        check_name(&name_key, &name)?;
+        if !names.insert(name.clone()) {
+            return Err(name_key.refuse(format_args!("{name:?} is the name of two particles of this body")));
+        }
+        let (name, kind) = (format!("{body}/{name}"), PointKind::Particle(index));
+        points.push(Point { name, channels: OF_PARTICLE.to_vec(), kind });
     }
     Ok(points)
 }

@@ -8,6 +8,11 @@ use serde::Deserialize;
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct ParticleSpec {
+    /// Under which it is recorded where springs join the particles: at most 64 letters, digits, `_` and `-`; with springs
+    /// alone; left out: `p1`, `p2` and so on.
+    #[cfg_attr(feature = "serde", serde(default))]
+    #[cfg_attr(feature = "schema", schemars(pattern(r"^[A-Za-z0-9_-]{1,64}$")))]
+    pub name: Option<String>,
     /// Mass, kg.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub mass_kg: f64,

@@ -38,7 +38,7 @@ pub fn body(schema: &mut Schema) {
     schema.insert("not".into(), json!({ "required": ["angular_velocity_rad_s", "angular_momentum_n_m_s"] }));
     let with_typed = json!({ "anyOf": typed });
     let without_pivot = json!({ "not": needs("pivot") });
-    let loaded = ["pivot", "rotor", "torque", "force"].map(needs);
+    let loaded = ["pivot", "rotor", "torque", "force", "probe", "imu"].map(needs);
     let dependencies = json!({
         "mass_kg": with_typed,
         "centre_of_mass_m": with_typed,

@@ -8,6 +8,7 @@ pub fn plan(root: &Key, checks: &Checks, bodies: &[PlannedBody], end: f64) -> Re
     for (index, spec) in checks.internal_forces.iter().enumerate() {
         let key = root.field("internal_forces").index(index);
         plans.push(CheckPlan {
+            point: None,
             body: of_particles(&key, spec.body.as_deref(), bodies)?,
             kind: CheckKind::InternalForces { duration: positive(&key.field("over_s"), spec.over_s.unwrap_or(end))? },
             expected: 0.0,
@@ -19,6 +20,7 @@ pub fn plan(root: &Key, checks: &Checks, bodies: &[PlannedBody], end: f64) -> Re
     for (index, spec) in checks.departure_from_rigid.iter().enumerate() {
         let key = root.field("departure_from_rigid").index(index);
         plans.push(CheckPlan {
+            point: None,
             body: of_particles(&key, spec.body.as_deref(), bodies)?,
             kind: CheckKind::DepartureFromRigid { time: not_negative(&key.field("time_s"), spec.time_s)? },
             expected: not_negative(&key.field("expected_rad"), spec.expected_rad)?,

@@ -22,6 +22,12 @@ pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties, initial: &S
     let contradictions = [
         (spec.pivot.is_some(), "pivot", "held at a point, particles would need a force there"),
         (!spec.rotor.is_empty(), "rotor", "a wheel inside needs a body that is rigid"),
+        (
+            !spec.probe.is_empty(),
+            "probe",
+            "a body that is not rigid has no points of its own; its particles are recorded",
+        ),
+        (!spec.imu.is_empty(), "imu", "a body that is not rigid has no points of its own; its particles are recorded"),
         (spec.torque != TorqueSpecs::default(), "torque", "which particle would it turn?"),
         (spec.force != ForceSpecs::default(), "force", "nothing but uniform gravity acts on particles on springs"),
     ];
