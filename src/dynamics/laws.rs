@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::invariants::{
     jacobi_integral, momentum_in_world, potential_energy, rotational_energy, translational_energy,
 };
-use super::{General, Load, Problem, Profile, Torque, Window};
+use super::{Load, Problem, Profile, Torque, Window};
 use crate::body::State;
 
 /// Which energy a motion conserves.
@@ -66,7 +66,7 @@ impl Problem {
                     }
                     law.axis = Some(axis);
                 }
-                Torque::General(ref load) if matches!(load.kind, General::InnerSphere(_)) => {}
+                Torque::General(ref load) if load.kind.moves_inside().is_some() => {}
                 Torque::ConstantBody { .. }
                 | Torque::Rotor { .. }
                 | Torque::ProfileBody { .. }

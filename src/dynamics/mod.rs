@@ -5,6 +5,8 @@
 //! [`Combined`]. Loads of kinds that do not add up so are [`General`]: operations on a tape, of which the rest can be made
 //! too.
 
+mod acceleration;
+mod cloud;
 mod combined;
 mod driven;
 mod error;
@@ -20,6 +22,7 @@ mod schedule;
 mod spline;
 mod torque;
 
+pub use cloud::{SpringCloud, Springs};
 pub use combined::{Combined, Couple, Gradient};
 pub use driven::Driven;
 pub use error::DynamicsError;

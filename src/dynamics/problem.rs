@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::{General, GeneralLoad, InnerSphere, Load, Torque, momentum_in_world};
+use super::{DynamicsError, General, GeneralLoad, InnerSphere, Load, SpringCloud, Torque, momentum_in_world};
 use crate::body::{PrincipalMoments, State};
 
 /// An initial value problem: a body, its state at t = 0, and what acts on it. All in principal axes.
@@ -42,6 +42,21 @@ impl Problem {
             General::InnerSphere(sphere) => Some(sphere),
             _ => None,
         })
+    }
+
+    /// The particles that the body is made of, if springs join them; the first of several clouds.
+    #[must_use]
+    pub fn cloud(&self) -> Option<&SpringCloud> {
+        self.general().find_map(|load| match &load.kind {
+            General::Cloud(cloud) => Some(cloud),
+            _ => None,
+        })
+    }
+
+    /// Why only Taylor series follow the motion, where something inside the body moves by itself.
+    #[must_use]
+    pub fn moves_inside(&self) -> Option<DynamicsError> {
+        self.general().find_map(|load| load.kind.moves_inside())
     }
 
     /// The loads without a recurrence of their own.

@@ -38,8 +38,8 @@ pub(super) struct Push {
 impl Equations {
     pub fn new(problem: &Problem, model: Option<Box<dyn TorqueModel + Send>>) -> Result<Self, DynamicsError> {
         let schedule = Schedule::new(problem)?;
-        if problem.inner_sphere().is_some() {
-            return Err(DynamicsError::InnerSphere);
+        if let Some(error) = problem.moves_inside() {
+            return Err(error);
         }
         Ok(Self {
             euler: EulerEquations::new(problem.moments),

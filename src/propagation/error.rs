@@ -18,6 +18,12 @@ pub enum PropagationError {
         /// The step asked for, s.
         step: f64,
     },
+    /// Particles have gone so far apart that no attitude can be told of them.
+    #[error("near t = {time} s the particles have lost their shape: no attitude brings their places near them")]
+    NoShape {
+        /// Where, s.
+        time: f64,
+    },
     /// The equations of an implicit step have not been solved.
     #[error("at t = {time} s an implicit step of {step:e} s finds no solution: take shorter steps")]
     NoConvergence {

@@ -2,6 +2,7 @@
 
 mod axial_torque;
 mod ballistic;
+mod cloud;
 mod damped;
 mod distance;
 mod equations;
@@ -29,5 +30,5 @@ pub use lagrange_top::LagrangeTop;
 pub use precise::{PreciseState, PreciseTaylor};
 pub use propagator::{Effort, Propagator};
 pub use runge_kutta::Dop853;
-pub use states::States;
+pub use states::{CloudStates, ParticleColumns, States};
 pub use taylor::Taylor;

@@ -11,6 +11,44 @@ pub struct States {
     pub velocity: [Vec<f64>; 3],
     /// Of a sphere inside the body relative to it, in principal axes, rad/s; empty without one.
     pub inner: [Vec<f64>; 3],
+    /// Of the particles that the body is made of, where springs join them; empty without.
+    pub cloud: CloudStates,
+}
+
+/// Particles on springs at many times.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct CloudStates {
+    /// In the order of the cloud.
+    pub particles: Vec<ParticleColumns>,
+    /// Of all particles relative to their centre of mass, J.
+    pub kinetic_energy: Vec<f64>,
+    /// Of all springs, J.
+    pub elastic_energy: Vec<f64>,
+}
+
+/// One particle at many times, world axes.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ParticleColumns {
+    /// From the centre of mass of all, m.
+    pub arm: [Vec<f64>; 3],
+    /// Relative to the centre of mass, m/s.
+    pub velocity: [Vec<f64>; 3],
+    /// Of all springs on it together, N.
+    pub force: [Vec<f64>; 3],
+}
+
+impl CloudStates {
+    /// Makes room for `count` states (contents unspecified) of so many particles, keeping what was allocated.
+    pub fn reset(&mut self, particles: usize, count: usize) {
+        self.particles.resize_with(particles, ParticleColumns::default);
+        for ParticleColumns { arm, velocity, force } in &mut self.particles {
+            for column in arm.iter_mut().chain(velocity).chain(force) {
+                column.resize(count, 0.0);
+            }
+        }
+        self.kinetic_energy.resize(count, 0.0);
+        self.elastic_energy.resize(count, 0.0);
+    }
 }
 
 impl States {

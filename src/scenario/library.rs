@@ -33,6 +33,7 @@ scenes![
     "lro",
     "measured_thruster",
     "momentum_brake",
+    "particle_cloud",
     "reaction_wheel",
     "separatrix",
     "shuttlecock",

@@ -64,11 +64,14 @@ mod oracle;
 mod order;
 #[cfg(feature = "serde")]
 mod overrides;
+mod particle_cloud;
 mod particles;
 mod planned;
 #[cfg(feature = "cli")]
 mod plots;
 mod precise;
+#[cfg(feature = "serde")]
+mod probes;
 mod promises;
 mod properties;
 #[cfg(feature = "serde")]

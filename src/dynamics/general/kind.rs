@@ -4,6 +4,7 @@ use super::control::{BDot, QuaternionFeedback, RateFeedback};
 use super::drag::{quadratic_damping, quadratic_drag};
 use super::{FormulaLoad, InnerSphere, Push, Spring, Symbols};
 use crate::body::State;
+use crate::dynamics::{DynamicsError, SpringCloud};
 use crate::numerics::Tape;
 
 /// What acts, of kinds that need more than constants, couples and damping.
@@ -27,6 +28,8 @@ pub enum General {
     },
     /// A sphere in a film of fluid inside the body.
     InnerSphere(InnerSphere),
+    /// Springs between the particles that the body is made of.
+    Cloud(SpringCloud),
     /// Towards a target attitude.
     QuaternionFeedback(QuaternionFeedback),
     /// Against ω.
@@ -44,9 +47,21 @@ impl General {
             Self::QuadraticDamping { coefficient } => quadratic_damping(tape, symbols, *coefficient),
             Self::QuadraticDrag { coefficient, arm } => quadratic_drag(tape, symbols, *coefficient, *arm),
             Self::InnerSphere(sphere) => sphere.lay_out(tape, symbols),
+            // Of the body as a whole: they push and turn it nowhere.
+            Self::Cloud(_) => Push::none(tape),
             Self::QuaternionFeedback(control) => control.lay_out(tape, symbols),
             Self::RateFeedback(control) => control.lay_out(tape, symbols),
             Self::BDot(control) => control.lay_out(tape, symbols),
+        }
+    }
+
+    /// Why only Taylor series follow it, where it moves something inside the body: the angular momentum of all stays.
+    #[must_use]
+    pub const fn moves_inside(&self) -> Option<DynamicsError> {
+        match self {
+            Self::InnerSphere(_) => Some(DynamicsError::InnerSphere),
+            Self::Cloud(_) => Some(DynamicsError::Particles),
+            _ => None,
         }
     }
 
@@ -95,6 +110,7 @@ impl General {
             Self::QuadraticDamping { .. } => "quadratic damping",
             Self::QuadraticDrag { .. } => "quadratic drag",
             Self::InnerSphere(_) => "inner sphere",
+            Self::Cloud(_) => "springs between particles",
             Self::QuaternionFeedback(_) => "quaternion feedback",
             Self::RateFeedback(_) => "rate feedback",
             Self::BDot(_) => "B-dot",

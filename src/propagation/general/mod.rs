@@ -13,3 +13,4 @@ mod stepper;
 
 pub(super) use precise::PreciseGeneral;
 pub(super) use propagator::GeneralTaylor;
+pub(super) use step::{LONGEST_STEP, power_of_two};

@@ -2,7 +2,7 @@ use super::motion::{Series, exact};
 use crate::numerics::{Scalar, Tape};
 
 /// The longest step, s.
-pub(super) const LONGEST_STEP: f64 = 1e100;
+pub(in crate::propagation) const LONGEST_STEP: f64 = 1e100;
 /// By how much the argument of a sine or an exponential may change within a step: more than a series follows, so that only
 /// those that vanish now, and may not for long, are held back.
 const ARGUMENTS: f64 = 16.0;
@@ -22,6 +22,6 @@ pub(super) fn step_ratio<F: Scalar>(series: &Series<F>, tape: &Tape, tolerance: 
 }
 
 /// The power of two at or below a positive number; 1 for what has none.
-pub(super) fn power_of_two(value: f64) -> f64 {
+pub(in crate::propagation) fn power_of_two(value: f64) -> f64 {
     if value.is_normal() && value > 0.0 { libm::ldexp(1.0, libm::ilogb(value)) } else { 1.0 }
 }

@@ -2,6 +2,7 @@ use super::propagator::PreciseBilinear;
 use super::state::PreciseState;
 use crate::dynamics::Problem;
 use crate::numerics::DoubleDouble;
+use crate::propagation::cloud::PreciseCloud;
 use crate::propagation::general::PreciseGeneral;
 use crate::propagation::sampling::check_times;
 use crate::propagation::{Effort, PropagationError};
@@ -22,6 +23,7 @@ pub struct PreciseTaylor {
 enum Way {
     ByHand(Box<PreciseBilinear>),
     ByTape(Box<PreciseGeneral>),
+    OfParticles(Box<PreciseCloud>),
 }
 
 impl PreciseTaylor {
@@ -33,7 +35,9 @@ impl PreciseTaylor {
     /// # Errors
     /// [`PropagationError::NotCovered`] if a force moves a body of unknown mass, or two orbits act at once.
     pub fn new(problem: &Problem) -> Result<Self, PropagationError> {
-        let way = if problem.is_general() {
+        let way = if problem.cloud().is_some() {
+            PreciseCloud::new(problem, Self::TOLERANCE).map(|way| Way::OfParticles(Box::new(way)))
+        } else if problem.is_general() {
             PreciseGeneral::new(problem, Self::TOLERANCE).map(|way| Way::ByTape(Box::new(way)))
         } else {
             PreciseBilinear::new(problem).map(|way| Way::ByHand(Box::new(way)))
@@ -56,6 +60,7 @@ impl PreciseTaylor {
         self.way = match self.way {
             Way::ByHand(way) => Way::ByHand(Box::new(way.with_tolerance(tolerance))),
             Way::ByTape(way) => Way::ByTape(Box::new(way.with_tolerance(tolerance))),
+            Way::OfParticles(way) => Way::OfParticles(Box::new(way.with_tolerance(tolerance))),
         };
         self
     }
@@ -81,12 +86,14 @@ impl PreciseTaylor {
             match &mut self.way {
                 Way::ByHand(way) => way.advance()?,
                 Way::ByTape(way) => way.advance()?,
+                Way::OfParticles(way) => way.advance()?,
             }
         }
         self.latest = wanted.hi();
         Ok(Some(match &self.way {
             Way::ByHand(way) => way.within(wanted),
             Way::ByTape(way) => way.within(wanted),
+            Way::OfParticles(way) => way.within(wanted)?,
         }))
     }
 
@@ -102,6 +109,7 @@ impl PreciseTaylor {
         match &self.way {
             Way::ByHand(way) => way.effort(),
             Way::ByTape(way) => way.effort(),
+            Way::OfParticles(way) => way.effort(),
         }
     }
 
@@ -109,6 +117,7 @@ impl PreciseTaylor {
         match &self.way {
             Way::ByHand(way) => way.end(),
             Way::ByTape(way) => way.end(),
+            Way::OfParticles(way) => way.end(),
         }
     }
 }

@@ -1,6 +1,7 @@
 use super::propagator::Bilinear;
 use super::step_size::order_for;
 use crate::dynamics::Problem;
+use crate::propagation::cloud::CloudTaylor;
 use crate::propagation::general::GeneralTaylor;
 use crate::propagation::{Effort, PropagationError, Propagator, States};
 
@@ -9,7 +10,8 @@ use crate::propagation::{Effort, PropagationError, Propagator, States};
 /// The state is carried with more digits than f64, steps stop exactly where a load starts or ends and where a function
 /// of time has a knot, and no step is ever thrown away: its length follows from the series. Where the steps lie does not
 /// depend on the sample times. Loads of a [`General`](crate::dynamics::General) kind go by a tape of operations, all others
-/// by recurrences laid out by hand.
+/// by recurrences laid out by hand. Of a body that is a [`SpringCloud`](crate::dynamics::SpringCloud) every particle is
+/// followed: the attitude is that of the best fit, and ω is that of the rigid body of the same angular momentum.
 #[derive(Debug, Clone)]
 pub struct Taylor(Way);
 
@@ -17,6 +19,7 @@ pub struct Taylor(Way);
 enum Way {
     ByHand(Box<Bilinear>),
     ByTape(Box<GeneralTaylor>),
+    OfParticles(Box<CloudTaylor>),
 }
 
 impl Taylor {
@@ -32,7 +35,9 @@ impl Taylor {
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(not_covered("its tolerance must lie between 0 and 1"));
         }
-        let way = if problem.is_general() {
+        let way = if problem.cloud().is_some() {
+            CloudTaylor::new(problem, order_for(tolerance), tolerance).map(|way| Way::OfParticles(Box::new(way)))
+        } else if problem.is_general() {
             GeneralTaylor::new(problem, order_for(tolerance), tolerance).map(|way| Way::ByTape(Box::new(way)))
         } else {
             Bilinear::new(problem, tolerance).map(|way| Way::ByHand(Box::new(way)))
@@ -46,6 +51,7 @@ impl Taylor {
         match &self.0 {
             Way::ByHand(way) => way.order(),
             Way::ByTape(way) => way.order(),
+            Way::OfParticles(way) => way.order(),
         }
     }
 
@@ -57,6 +63,7 @@ impl Taylor {
         match &mut self.0 {
             Way::ByHand(way) => way.reach(time, steps),
             Way::ByTape(way) => way.reach(time, steps),
+            Way::OfParticles(way) => way.reach(time, steps),
         }
     }
 }
@@ -66,6 +73,7 @@ impl Propagator for Taylor {
         match &mut self.0 {
             Way::ByHand(way) => way.fill(times, states),
             Way::ByTape(way) => way.fill(times, states),
+            Way::OfParticles(way) => way.fill(times, states),
         }
     }
 
@@ -73,6 +81,7 @@ impl Propagator for Taylor {
         match &self.0 {
             Way::ByHand(way) => way.effort(),
             Way::ByTape(way) => way.effort(),
+            Way::OfParticles(way) => way.effort(),
         }
     }
 }

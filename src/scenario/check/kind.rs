@@ -99,6 +99,16 @@ pub enum CheckKind {
         /// Roughly that period, s.
         period: f64,
     },
+    /// What is left of the forces between particles, and of their moments.
+    InternalForces {
+        /// s.
+        duration: f64,
+    },
+    /// Angle between the attitude of particles on springs and that of the rigid body.
+    DepartureFromRigid {
+        /// s.
+        time: f64,
+    },
 }
 
 impl CheckPlan {
@@ -112,12 +122,15 @@ impl CheckPlan {
             | CheckKind::PrecessionRate { duration, .. }
             | CheckKind::Rate { duration, .. }
             | CheckKind::Conserved { duration, .. }
+            | CheckKind::InternalForces { duration }
             | CheckKind::Stability { duration, .. } => Some(duration),
-            CheckKind::Value { time, .. } | CheckKind::Extremum { to: time, .. } => Some(time),
+            CheckKind::DepartureFromRigid { time }
+            | CheckKind::Value { time, .. }
+            | CheckKind::Extremum { to: time, .. } => Some(time),
         }
     }
 
-    /// What is measured, of which of several bodies.
+    /// What is measured, of which of several bodies or of which point.
     #[must_use]
     pub fn name(&self, bodies: &[PlannedBody]) -> String {
         let what = match &self.kind {
@@ -137,8 +150,11 @@ impl CheckPlan {
             CheckKind::Stability { verdict: Verdict::Stays, angle, .. } => format!("stays within {angle} rad"),
             CheckKind::Stability { angle, .. } => format!("leaves {angle} rad"),
             CheckKind::MontgomeryPhase { .. } => "Montgomery phase per period".to_owned(),
+            CheckKind::InternalForces { .. } => "net internal force and moment".to_owned(),
+            CheckKind::DepartureFromRigid { time } => format!("departure from the rigid body at {time} s"),
         };
-        if bodies.len() == 1 { what } else { format!("{}: {what}", bodies[self.body].name) }
+        let is_told = bodies.len() > 1 || self.point.is_some();
+        if is_told { format!("{}: {what}", self.watched(bodies).name()) } else { what }
     }
 }
 

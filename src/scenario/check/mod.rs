@@ -6,6 +6,7 @@ mod extremum;
 mod kind;
 mod montgomery;
 mod outcome;
+mod particles;
 mod period;
 mod precession;
 mod rate;

@@ -40,6 +40,10 @@ pub fn named(key: &Key, name: &str) -> Result<Channel, Refusal> {
 /// Why a channel cannot be told: nothing is conserved, or nothing leans.
 pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> {
     match channel {
+        Channel::EnergyDrift if problem.cloud().is_some() => Some(
+            "has no meaning here: of particles on springs total_energy holds motion and springs, and a conserved check \
+             tells its drift",
+        ),
         Channel::EnergyDrift if problem.energy_law().is_none() => {
             Some("has no meaning here: these torques conserve no energy")
         }
@@ -77,6 +81,9 @@ pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> 
             "has no meaning here: it is of a top whose moments are as 2 to 2 to 1, under one force constant in the world, \
              all the time, at an arm across the axis of the least moment",
         ),
+        Channel::Gyroscope | Channel::Accelerometer => {
+            Some("is read by an IMU: give the body an [[body.imu]], which names its place")
+        }
         _ => None,
     }
 }
@@ -117,7 +124,7 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         | Torque::ForceProfileBody { arm, .. }
         | Torque::ForceProfileWorld { arm, .. } => arm.norm() > 0.0,
         Torque::Rotor { .. } => false,
-        _ => true,
+        _ => problem.cloud().is_none(),
     });
     let is_interesting = |channel: &Channel| match channel {
         Channel::Attitude | Channel::AngularVelocity | Channel::AngularMomentumWorld | Channel::RotationalEnergy => {
@@ -125,7 +132,8 @@ fn interesting(problem: &Problem, moves: bool) -> Vec<Channel> {
         }
         Channel::MomentBody => has_moment,
         Channel::Position | Channel::Velocity | Channel::ForceWorld | Channel::TranslationalEnergy => moves,
-        Channel::PotentialEnergy | Channel::TotalEnergy => has_potential && conserves,
+        Channel::PotentialEnergy | Channel::TotalEnergy => has_potential && conserves || problem.cloud().is_some(),
+        Channel::KineticEnergy => problem.cloud().is_some(),
         Channel::EnergyDrift => conserves,
         Channel::MomentumDrift => problem.momentum_law().is_some(),
         Channel::Slip => rolls(problem),

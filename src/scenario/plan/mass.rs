@@ -90,7 +90,8 @@ fn typed(key: &Key, source: &Key, spec: &BodySpec, pivot: Option<Vector3<f64>>) 
     }
 }
 
-fn particles(key: &Key, specs: &[ParticleSpec]) -> Result<Vec<Particle>, Refusal> {
+/// The point masses of a body.
+pub fn particles(key: &Key, specs: &[ParticleSpec]) -> Result<Vec<Particle>, Refusal> {
     let each = specs.iter().enumerate().map(|(index, spec)| {
         let key = key.index(index);
         Ok(Particle {

@@ -1,6 +1,6 @@
 use super::promise::{Kept, Stepper, keep};
 use super::rules::{positive, unused};
-use crate::dynamics::{DynamicsError, Problem};
+use crate::dynamics::Problem;
 use crate::propagation::{AxialTorque, BrakedRotation, Coverage, FixedStepMethod, Information, LagrangeTop};
 use crate::scenario::{Grid, Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
 
@@ -77,7 +77,7 @@ pub fn choose(
             Ok((path, asked("closed_form")))
         }
         Method::Taylor => by_steps(Stepper::Taylor, problem, accuracy, &asked("taylor")),
-        Method::Dop853 if problem.inner_sphere().is_some() => Err(method_key.refuse(DynamicsError::InnerSphere.rule())),
+        Method::Dop853 if let Some(error) = problem.moves_inside() => Err(method_key.refuse(error.rule())),
         Method::Dop853 => by_steps(Stepper::Dop853, problem, accuracy, &asked("dop853")),
         // Left over: "auto".
         _ => known.map_or_else(|| automatic(problem, accuracy), |(path, reason)| Ok((path, reason.to_owned()))),
@@ -104,6 +104,15 @@ fn by_steps(stepper: Stepper, problem: &Problem, accuracy: &Accuracy, asked: &st
 /// Of what has no closed form.
 fn automatic(problem: &Problem, accuracy: &Accuracy) -> Result<(Path, String), Refusal> {
     let Accuracy::Promise(promise, grid) = accuracy else {
+        if let Some(cloud) = problem.cloud() {
+            let [lowest, highest] = cloud.natural_frequencies().map(|rate| rate / std::f64::consts::TAU);
+            let count = cloud.masses().len();
+            let reason = format!(
+                "springs join {count} particles, which vibrate at {lowest:.3e} to {highest:.3e} Hz: Taylor series of each one's \
+                 equation of motion"
+            );
+            return by_steps(Stepper::Taylor, problem, accuracy, &reason);
+        }
         let reason = if problem.is_general() {
             "a load has no recurrence of its own: general Taylor series, by automatic differentiation of all that acts"
         } else {
@@ -149,8 +158,8 @@ pub fn closed_form(problem: &Problem, moves: bool) -> Option<(Path, &'static str
 
 fn with_fixed_step(scenario: &Scenario, problem: &Problem, method: FixedStepMethod) -> Result<(Path, String), Refusal> {
     let Information { name, coverage, .. } = method.information();
-    if problem.inner_sphere().is_some() {
-        return Err(Key::root("method").refuse(DynamicsError::InnerSphere.rule()));
+    if let Some(error) = problem.moves_inside() {
+        return Err(Key::root("method").refuse(error.rule()));
     }
     if coverage == Coverage::ListedLoads && problem.is_general() {
         let rule = format_args!("\"{name}\" knows the flow of constants, couples and damping only");

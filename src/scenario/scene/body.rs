@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
-use super::{ForceSpecs, RotorSpec, SolidSpecs, TorqueSpecs};
+use super::{ForceSpecs, ImuSpec, ParticleSpec, ProbeSpec, RotorSpec, SolidSpecs, SpringsSpec, TorqueSpecs};
 #[cfg(feature = "schema")]
 use crate::scenario::schema::structure;
 
@@ -29,6 +29,8 @@ pub struct BodySpec {
     pub inertia_kg_m2: Option<[[f64; 3]; 3]>,
     /// Point masses, not all on one line.
     pub particle: Vec<ParticleSpec>,
+    /// Springs between all particles, in place of a rigid body; nothing else acts but gravity; left out: it is rigid.
+    pub springs: Option<SpringsSpec>,
     /// Solids, summed: where they overlap their densities add.
     pub solid: SolidSpecs,
     /// A body of uniform density inside a closed surface from a file.
@@ -49,6 +51,10 @@ pub struct BodySpec {
     pub gravity_m_s2: Option<[f64; 3]>,
     /// A point of the body that is held fixed; left out: the body is free.
     pub pivot: Option<PivotSpec>,
+    /// Points whose motion is recorded.
+    pub probe: Vec<ProbeSpec>,
+    /// Gyroscopes with accelerometers, whose readings are recorded.
+    pub imu: Vec<ImuSpec>,
     /// Wheels that spin inside; the inertia given includes them.
     pub rotor: Vec<RotorSpec>,
     /// Torques.
@@ -65,18 +71,6 @@ impl BodySpec {
         let tables = tables.filter_map(|table| Some(("table", table.file.as_deref()?)));
         meshes.chain(tables)
     }
-}
-
-/// One point mass.
-#[derive(Debug, Clone, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(JsonSchema))]
-pub struct ParticleSpec {
-    /// Mass, kg.
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
-    pub mass_kg: f64,
-    /// Position in body axes, from the body's origin, m.
-    pub position_m: [f64; 3],
 }
 
 /// The fixed point of a body that turns about one.

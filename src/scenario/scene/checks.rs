@@ -3,7 +3,10 @@ use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
-use super::{ConservedSpec, ExtremumSpec, MontgomeryPhaseSpec, ObservedSpec, PeriodSpec, RateSpec, StabilitySpec};
+use super::{
+    ConservedSpec, DepartureFromRigidSpec, ExtremumSpec, InternalForcesSpec, MontgomeryPhaseSpec, ObservedSpec,
+    PeriodSpec, RateSpec, StabilitySpec,
+};
 #[cfg(feature = "schema")]
 use crate::scenario::schema::structure;
 
@@ -35,6 +38,11 @@ pub struct Checks {
     pub stability: Vec<StabilitySpec>,
     /// Angle that a free body of three different moments turns about L in a period of ω in the body.
     pub montgomery_phase: Vec<MontgomeryPhaseSpec>,
+    /// What is left of the forces of springs between particles, and of their moments, when all are added: the largest part at a
+    /// thousand times.
+    pub internal_forces: Vec<InternalForcesSpec>,
+    /// Angle between the attitude of particles on springs and that of the rigid body of the same start.
+    pub departure_from_rigid: Vec<DepartureFromRigidSpec>,
 }
 
 /// Period of the flips: of the principal component of ω that changes sign.

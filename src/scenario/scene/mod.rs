@@ -6,10 +6,13 @@ mod checks;
 mod general_loads;
 mod loads;
 mod motion_checks;
+mod particle_checks;
+mod particles;
+mod points;
 mod scenario;
 mod solids;
 
-pub use body::{BodySpec, MeshSpec, ParticleSpec, PivotSpec};
+pub use body::{BodySpec, MeshSpec, PivotSpec};
 pub use channel_checks::{ConservedSpec, Extremum, ExtremumSpec, PeriodSpec, RateSpec};
 pub use checks::{Checks, DriftSpec, FlipPeriodSpec, Frame, PrecessionRateSpec, ValueSpec};
 pub use general_loads::{
@@ -21,5 +24,8 @@ pub use loads::{
     RotorSpec, TableSpec, ThrusterSpec, TorqueSpecs,
 };
 pub use motion_checks::{MontgomeryPhaseSpec, ObservedSpec, StabilitySpec, Verdict};
+pub use particle_checks::{DepartureFromRigidSpec, InternalForcesSpec};
+pub use particles::{ParticleSpec, SpringsSpec};
+pub use points::{ImuSpec, ProbeSpec};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

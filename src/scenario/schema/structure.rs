@@ -38,10 +38,12 @@ pub fn body(schema: &mut Schema) {
     schema.insert("not".into(), json!({ "required": ["angular_velocity_rad_s", "angular_momentum_n_m_s"] }));
     let with_typed = json!({ "anyOf": typed });
     let without_pivot = json!({ "not": needs("pivot") });
+    let loaded = ["pivot", "rotor", "torque", "force", "probe", "imu"].map(needs);
     let dependencies = json!({
         "mass_kg": with_typed,
         "centre_of_mass_m": with_typed,
         "velocity_m_s": without_pivot,
+        "springs": { "required": ["particle"], "not": { "anyOf": loaded } },
     });
     schema.insert("dependencies".into(), dependencies);
 }
@@ -81,7 +83,7 @@ pub fn each_positive(schema: &mut Schema) {
 
 /// The name of a channel.
 pub fn channel(_: &mut SchemaGenerator) -> Schema {
-    let names = Channel::ALL.map(|channel| channel.row().name);
+    let names = Channel::ALL.map(|channel| channel.row().name).to_vec();
     json_schema!({ "type": "string", "enum": names })
 }
 

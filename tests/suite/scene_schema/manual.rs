@@ -193,7 +193,7 @@ fn range(schema: &Value) -> String {
     let bounds: Vec<_> = bounds.into_iter().flatten().collect();
     match &schema["items"] {
         Value::Object(_) if bounds.is_empty() && schema["type"] == "array" => match range(&schema["items"]) {
-            inner if inner.is_empty() => inner,
+            inner if inner.is_empty() || inner.starts_with("each ") => inner,
             inner => format!("each {inner}"),
         },
         _ => bounds.join(", "),

@@ -8,7 +8,7 @@ use super::Hash;
 pub fn lines() -> Vec<String> {
     let tensor =
         BodySpec { inertia_kg_m2: Some([[2.0, 0.1, -0.2], [0.1, 2.5, 0.3], [-0.2, 0.3, 3.0]]), ..thrown("tensor") };
-    let particle = |mass_kg, position_m| ParticleSpec { mass_kg, position_m };
+    let particle = |mass_kg, position_m| ParticleSpec { name: None, mass_kg, position_m };
     let particles = BodySpec {
         particle: vec![
             particle(1.0, [0.1, 0.0, 0.0]),

@@ -2,6 +2,7 @@
 
 mod channel;
 mod motion;
+mod particles;
 mod plan;
 
 pub use plan::plan;

@@ -4,6 +4,7 @@
 mod general;
 mod plan;
 mod profiles;
+mod springs;
 mod table_file;
 
 pub use plan::{plan, rotors};

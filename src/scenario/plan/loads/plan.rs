@@ -2,7 +2,7 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 
-use super::{general, profiles};
+use super::{general, profiles, springs};
 use crate::body::{MassProperties, State};
 use crate::dynamics::{Load, Torque, Window};
 use crate::scenario::plan::rules::{not_negative, optional_vector, positive, unused, vector};
@@ -32,6 +32,7 @@ pub fn plan(
     loads.extend(rotors);
     loads.extend(forces(key, spec, properties, folder, end)?);
     loads.extend(general::plan(key, spec, properties, initial)?);
+    loads.extend(springs::plan(key, spec, properties, initial)?);
     let forces = key.field("force");
     let to_principal = |in_body: Vector3<f64>| properties.body_from_principal.inverse_transform_vector(&in_body);
     let gravity_key = key.field("gravity_m_s2");

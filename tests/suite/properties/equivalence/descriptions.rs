@@ -105,8 +105,11 @@ impl Body<'_> {
     }
 
     fn of_particles(&self, places: impl Iterator<Item = Vector3<f64>>, count: f64) -> BodySpec {
-        let particle =
-            |place: Vector3<f64>| ParticleSpec { mass_kg: self.case.mass / count, position_m: self.place(place) };
+        let particle = |place: Vector3<f64>| ParticleSpec {
+            mass_kg: self.case.mass / count,
+            position_m: self.place(place),
+            ..ParticleSpec::default()
+        };
         BodySpec { particle: places.map(particle).collect(), ..self.bare() }
     }
 
