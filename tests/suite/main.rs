@@ -41,6 +41,8 @@ mod full_disks;
 mod functions_of_time;
 #[cfg(feature = "serde")]
 mod general_loads;
+#[cfg(feature = "serde")]
+mod general_scenes;
 #[cfg(feature = "cli")]
 mod golden;
 #[cfg(feature = "golden")]

@@ -18,7 +18,7 @@ pub struct QuaternionFeedback {
     pub limit: f64,
     /// What is taken off each component, and below which it is zero, N m.
     pub dead_band: f64,
-    /// s: 1, or −1 where the body starts more than half a turn from the target by e alone.
+    /// s: 1, or −1 where the body is more than half a turn from the target by e alone at t = 0.
     pub way: f64,
     /// The body axes.
     pub body_from_principal: UnitQuaternion<f64>,

@@ -119,10 +119,22 @@ impl<F: Scalar> Expansion<F> {
                     -at(a)
                 }
             }
-            Operation::Larger(a, b) => at(if self.is_above(node) { a } else { b }),
-            Operation::Smaller(a, b) => at(if self.is_above(node) { b } else { a }),
+            Operation::Larger(a, b) => self.one_of(node, [a, b], k),
+            Operation::Smaller(a, b) => self.one_of(node, [b, a], k),
         };
         self.rows.set(node, k, value);
+    }
+
+    /// Coefficient k of the operand whose branch the result is on. Where the other is no number, or has no derivatives,
+    /// nobody can say when it takes over: then this is no number either.
+    fn one_of(&self, node: Node, [above, below]: [Node; 2], k: usize) -> F {
+        let (taken, left) = if self.is_above(node) { (above, below) } else { (below, above) };
+        let left = self.rows.of(left);
+        let (value, coefficient) = (left[0].rounded(), left[k].rounded());
+        if value.is_nan() || (value.is_finite() && !coefficient.is_finite()) {
+            return F::from(f64::NAN);
+        }
+        self.rows.of(taken)[k]
     }
 
     fn is_above(&self, node: Node) -> bool {

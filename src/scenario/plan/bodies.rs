@@ -1,5 +1,7 @@
 use std::collections::HashSet;
 
+use nalgebra::Vector3;
+
 use super::rules::{optional_vector, rotation, unused, vector};
 use super::{channels, loads, mass, path, points, work};
 use crate::body::{AngularVelocity, Attitude, MassProperties, State};
@@ -132,8 +134,10 @@ fn initial(key: &Key, spec: &BodySpec, properties: &MassProperties, loads: &[Loa
         }
         (velocity, None) => principal_from_body * optional_vector(&key.field("angular_velocity_rad_s"), velocity)?,
         (None, Some(momentum)) => {
-            // Of body and rotors together, as it is recorded.
-            let momentum = principal_from_body * vector(&momentum_key, momentum)? - rotor_momentum(loads, 0.0);
+            // Of body, rotors and a sphere inside together, as it is recorded.
+            let of_sphere = principal_from_body * inner_momentum(key, spec)?;
+            let of_rotors = rotor_momentum(loads, 0.0);
+            let momentum = principal_from_body * vector(&momentum_key, momentum)? - of_rotors - of_sphere;
             momentum.component_div(&properties.moments.vector())
         }
     };
@@ -147,5 +151,14 @@ fn initial(key: &Key, spec: &BodySpec, properties: &MassProperties, loads: &[Loa
         angular_velocity: AngularVelocity::from_vector(angular_velocity),
         position: optional_vector(&key.field("position_m"), spec.position_m)?,
         velocity: optional_vector(&key.field("velocity_m_s"), spec.velocity_m_s)?,
+    })
+}
+
+/// What a sphere inside the body has of angular momentum at t = 0 beyond turning with it, body axes, N m s.
+fn inner_momentum(key: &Key, spec: &BodySpec) -> Result<Vector3<f64>, Refusal> {
+    let spheres = key.field("torque").field("inner_sphere");
+    spec.torque.inner_sphere.iter().enumerate().try_fold(Vector3::zeros(), |sum, (index, sphere)| {
+        let key = spheres.index(index).field("relative_rate_rad_s");
+        Ok(sum + sphere.inertia_kg_m2 * optional_vector(&key, sphere.relative_rate_rad_s)?)
     })
 }

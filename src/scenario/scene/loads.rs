@@ -61,7 +61,7 @@ pub struct TorqueSpecs {
     /// A sphere in oil inside the body, which drags on it with c times its relative rate; at most one.
     pub inner_sphere: Vec<InnerSphereSpec>,
     /// About each body axis u = −k s e − d ω, e the vector part of the quaternion from the target, s the sign of its
-    /// scalar part; through a dead band, and held within a limit.
+    /// scalar part at t = 0, whenever it begins; through a dead band, and held within a limit.
     pub quaternion_feedback: Vec<QuaternionFeedbackSpec>,
     /// About each body axis −d ω, held within a limit.
     pub rate_feedback: Vec<RateFeedbackSpec>,
