@@ -4,11 +4,11 @@ use serde_json::{Map, Value, json};
 
 use crate::recording::picture::Picture;
 use crate::recording::{PartFile, RecordingError};
-use crate::scenario::{Plan, PlannedBody};
+use crate::scenario::{Plan, Watched};
 use crate::telemetry::Channel;
 
 /// Channels that share a plot, and its title.
-const PLOTS: [(&str, &[Channel]); 15] = [
+const PLOTS: [(&str, &[Channel]); 21] = [
     ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
     ("tilt (rad)", &[Channel::Tilt]),
     ("precession rate (rad/s)", &[Channel::PrecessionRate]),
@@ -25,6 +25,12 @@ const PLOTS: [(&str, &[Channel]); 15] = [
         ],
     ),
     ("drift, relative (1e-15)", &[Channel::EnergyDrift, Channel::MomentumDrift, Channel::Slip]),
+    ("accelerometer (m/s²)", &[Channel::Accelerometer]),
+    ("gyroscope (rad/s)", &[Channel::Gyroscope]),
+    ("acceleration in world axes (m/s²)", &[Channel::Acceleration]),
+    ("acceleration in body axes (m/s²)", &[Channel::AccelerationBody]),
+    ("velocity in body axes (m/s)", &[Channel::VelocityBody]),
+    ("position in body axes (m)", &[Channel::PositionBody]),
     ("precession, nutation, spin (rad)", &[Channel::FigureAngles]),
     ("rates of precession, nutation, spin (rad/s)", &[Channel::FigureRates]),
     ("tilt from L, phase on the polhode (rad)", &[Channel::MomentumTilt, Channel::PolhodePhase]),
@@ -60,7 +66,7 @@ fn layout(plan: &Plan, picture: &Picture) -> Value {
     panels.insert("RosOut!log".into(), json!({ "topicToRender": "/log", "minLogLevel": 1, "searchTerms": [] }));
     let mut plots = Vec::new();
     for (number, (title, channels)) in PLOTS.iter().enumerate() {
-        let paths: Vec<_> = plan.bodies.iter().flat_map(|body| paths(plan, body, channels)).collect();
+        let paths: Vec<_> = plan.watched().flat_map(|watched| paths(plan, watched, channels)).collect();
         if !paths.is_empty() {
             let id = format!("Plot!{number}");
             panels.insert(id.clone(), plot(title, &coloured(paths)));
@@ -125,14 +131,15 @@ fn scene(plan: &Plan, picture: &Picture) -> Value {
 }
 
 /// Message paths and labels of what is recorded of `channels`.
-fn paths(plan: &Plan, body: &PlannedBody, channels: &[Channel]) -> Vec<(String, String)> {
-    let owner = if plan.bodies.len() > 1 { format!("{} ", body.name) } else { String::new() };
+fn paths(plan: &Plan, watched: Watched, channels: &[Channel]) -> Vec<(String, String)> {
+    let name = watched.name();
+    let owner = if plan.watched().nth(1).is_some() { format!("{name} ") } else { String::new() };
     let mut paths = Vec::new();
-    for channel in channels.iter().filter(|channel| body.channels.contains(channel)) {
+    for channel in channels.iter().filter(|channel| watched.channels().contains(channel)) {
         let row = channel.row();
         for component in row.components {
             let (dot, space) = if component.is_empty() { ("", "") } else { (".", " ") };
-            let path = format!("/body/{}/state.{}{dot}{component}", body.name, row.name);
+            let path = format!("/body/{name}/state.{}{dot}{component}", row.name);
             paths.push((path, format!("{owner}{}{space}{component}", row.title)));
         }
     }

@@ -9,7 +9,7 @@ use super::args::FileFormat;
 use super::commands::convert::has_extension;
 use super::report::size;
 use crate::recording::Survey;
-use crate::scenario::Plan;
+use crate::scenario::{Plan, Watched};
 use crate::telemetry::Channel;
 
 /// There is less room than the recordings would take.
@@ -64,7 +64,7 @@ pub fn check_anew(survey: &Survey, outputs: &[PathBuf]) -> Result<(), NoRoom> {
 
 /// Bytes of all files of a run, about.
 fn estimate(plan: &Plan, formats: &[FileFormat]) -> u64 {
-    bytes(plan.grid.len(), plan.bodies.iter().flat_map(|body| &body.channels), formats)
+    bytes(plan.grid.len(), plan.watched().flat_map(Watched::channels), formats)
 }
 
 fn bytes<'a>(samples: u64, channels: impl Iterator<Item = &'a Channel>, formats: &[FileFormat]) -> u64 {

@@ -16,9 +16,15 @@ impl EulerEquations {
     /// For a body with these moments.
     #[must_use]
     pub fn new(moments: PrincipalMoments) -> Self {
-        let inertia = moments.vector();
-        let [a, b, c] = [inertia.x, inertia.y, inertia.z];
-        Self { inertia, coupling: Vector3::new((b - c) / a, (c - a) / b, (a - b) / c) }
+        Self::around(0.0, moments)
+    }
+
+    /// For the shell about a sphere of moment `inner` in kg m², less than each of `moments`, which are of both together.
+    #[must_use]
+    pub fn around(inner: f64, moments: PrincipalMoments) -> Self {
+        let [a, b, c]: [f64; 3] = moments.vector().into();
+        let inertia = moments.vector().add_scalar(-inner);
+        Self { inertia, coupling: Vector3::new(b - c, c - a, a - b).component_div(&inertia) }
     }
 
     /// (I₂ − I₃)/I₁ and cyclic: what turns ω₂ω₃ into ω̇₁.

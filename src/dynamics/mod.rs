@@ -5,6 +5,7 @@
 //! [`Combined`]. Loads of kinds that do not add up so are [`General`]: operations on a tape, of which the rest can be made
 //! too.
 
+mod acceleration;
 mod combined;
 mod driven;
 mod error;

@@ -39,7 +39,7 @@ enum State {
 /// What a recording says before its first sample.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Heading {
-    /// The bodies in the order of the scene.
+    /// The bodies in the order of the scene, and then what is recorded beside them: see [`RecordedBody::is_point`].
     pub bodies: Vec<RecordedBody>,
     /// What made it, from what, how: name and value, as far as the format holds them.
     pub provenance: Vec<(String, String)>,
@@ -47,7 +47,7 @@ pub struct Heading {
     pub scene: Option<String>,
 }
 
-/// One body of a recording.
+/// One body of a recording, or a point of one.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RecordedBody {
     /// Its name; of a `.csv` with a single body, which does not tell it, `body`.
@@ -145,6 +145,14 @@ impl Recording {
     /// A complaint about this file.
     pub(super) fn refuse(&self, reason: String) -> RecordingError {
         RecordingError::Decode { path: self.path.clone(), reason }
+    }
+}
+
+impl RecordedBody {
+    /// Whether it is a point of a body, such as a probe: its name is the body's, a slash and its own.
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        self.name.contains('/')
     }
 }
 

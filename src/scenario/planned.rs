@@ -2,7 +2,7 @@ use super::{Certificate, CheckOutcome, CheckPlan, Event, Grid, Provenance};
 use crate::body::{MassProperties, Surface};
 use crate::dynamics::Problem;
 use crate::propagation::FixedStepMethod;
-use crate::telemetry::Channel;
+use crate::telemetry::{Channel, Point};
 
 /// What will be done: every value checked, in SI units and principal axes, the path of each body chosen.
 #[derive(Debug, Clone)]
@@ -50,6 +50,8 @@ pub struct PlannedBody {
     pub reason: String,
     /// What is recorded, in the order of [`Channel::ALL`].
     pub channels: Vec<Channel>,
+    /// What is recorded beside it, under names of their own.
+    pub points: Vec<Point>,
     /// What is not done, and why not.
     pub skipped: Vec<String>,
     /// Whether its reference point moves.

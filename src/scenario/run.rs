@@ -1,22 +1,16 @@
-use super::{Path, Plan, PlannedBody, ScenarioError};
+use super::{Following, Path, Plan, PlannedBody, ScenarioError};
 use crate::propagation::{
     AxialTorque, BrakedRotation, Dop853, Effort, FixedStep, FreeRotation, LagrangeTop, PropagationError, Propagator,
-    States, Taylor,
+    Taylor,
 };
-use crate::telemetry::{BodySamples, Derivation, Samples};
+use crate::telemetry::Samples;
 
 /// What is happening: the propagators and the buffers, allocated once.
 pub struct Run<'plan> {
     plan: &'plan Plan,
-    bodies: Vec<RunningBody>,
+    bodies: Following,
     samples: Samples,
     next: u64,
-}
-
-struct RunningBody {
-    propagator: Box<dyn Propagator>,
-    states: States,
-    derivation: Derivation,
 }
 
 impl Plan {
@@ -28,12 +22,8 @@ impl Plan {
     /// # Errors
     /// If a path does not cover its body's problem.
     pub fn start(&self) -> Result<Run<'_>, ScenarioError> {
-        let bodies = self.bodies.iter().map(RunningBody::new).collect::<Result<Vec<_>, _>>()?;
-        let samples = Samples {
-            bodies: self.bodies.iter().map(|body| BodySamples::new(&body.channels)).collect(),
-            ..Samples::default()
-        };
-        Ok(Run { plan: self, bodies, samples, next: 0 })
+        let samples = Samples { bodies: Following::samples(&self.bodies), ..Samples::default() };
+        Ok(Run { plan: self, bodies: Following::new(&self.bodies)?, samples, next: 0 })
     }
 }
 
@@ -55,16 +45,6 @@ impl PlannedBody {
     }
 }
 
-impl RunningBody {
-    fn new(body: &PlannedBody) -> Result<Self, PropagationError> {
-        Ok(Self {
-            propagator: body.propagator()?,
-            states: States::default(),
-            derivation: Derivation::new(&body.problem, body.properties.body_from_principal),
-        })
-    }
-}
-
 impl Run<'_> {
     /// The next samples, or `None` after the last. They are lent until the next call.
     ///
@@ -78,10 +58,7 @@ impl Run<'_> {
         self.samples.first_index = self.next;
         self.samples.stamps_ns.clear();
         self.samples.stamps_ns.extend(self.samples.times_s.iter().map(|time| nanoseconds(*time)));
-        for (body, samples) in self.bodies.iter_mut().zip(&mut self.samples.bodies) {
-            body.propagator.fill(&self.samples.times_s, &mut body.states)?;
-            body.derivation.derive(&self.samples.times_s, &body.states, samples);
-        }
+        self.bodies.fill(&self.samples.times_s, &mut self.samples.bodies)?;
         self.next += self.samples.times_s.len() as u64;
         Ok(Some(&self.samples))
     }
@@ -96,7 +73,7 @@ impl Run<'_> {
     /// What the propagation has cost so far, all bodies together.
     #[must_use]
     pub fn effort(&self) -> Effort {
-        self.bodies.iter().map(|body| body.propagator.effort()).fold(Effort::default(), |sum, effort| sum + effort)
+        self.bodies.effort()
     }
 }
 

@@ -1,17 +1,20 @@
 use nalgebra::UnitQuaternion;
 
-use super::PlannedBody;
+use super::{PlannedBody, Watched};
 use crate::dynamics::Problem;
-use crate::propagation::{PropagationError, States};
-use crate::telemetry::{BodySamples, Channel, Derivation};
+use crate::propagation::PropagationError;
+use crate::telemetry::{BodySamples, Channel, Derivation, Point};
 
 impl PlannedBody {
     /// The same body with other channels watched, and nothing propagated that they do not need.
     #[must_use]
     pub fn watching(mut self, channels: &[Channel]) -> Self {
         let is_free = self.problem.loads.is_empty();
-        self.problem.wants_attitude = channels.iter().any(|channel| needs_attitude(&self.problem, *channel));
-        self.problem.wants_translation = wants_translation(&self.problem, self.moves, channels);
+        let of_points = || self.points.iter().flat_map(|point| &point.channels);
+        self.problem.wants_attitude = channels.iter().any(|channel| needs_attitude(&self.problem, *channel))
+            || self.points.iter().any(Point::needs_attitude);
+        self.problem.wants_translation =
+            wants_translation(&self.problem, self.moves, channels.iter().chain(of_points()));
         self.channels = channels.to_vec();
         let mut skipped = Vec::new();
         let mut skip = |condition: bool, what: &str| {
@@ -37,11 +40,14 @@ impl PlannedBody {
     /// # Errors
     /// If the state ceases to be finite or a step cannot be made small enough.
     pub fn sample(&self, channels: &[Channel], times: &[f64]) -> Result<BodySamples, PropagationError> {
-        let body = self.clone().watching(channels);
-        let (mut states, mut samples) = (States::default(), BodySamples::new(channels));
-        body.propagator()?.fill(times, &mut states)?;
-        Derivation::new(&body.problem, body.properties.body_from_principal).derive(times, &states, &mut samples);
-        Ok(samples)
+        Watched::from(self).sample(channels, times)
+    }
+
+    /// What makes its channels of its states.
+    #[must_use]
+    pub fn derivation(&self) -> Derivation {
+        let derivation = Derivation::new(&self.problem, self.properties.body_from_principal);
+        if self.is_pivoted { derivation.held() } else { derivation }
     }
 }
 
@@ -54,6 +60,7 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
         | Channel::KineticEnergy
         | Channel::Position
         | Channel::Velocity
+        | Channel::Gyroscope
         // They look at ω in the body, and at no direction.
         | Channel::MomentumTilt
         | Channel::PolhodePhase
@@ -64,6 +71,7 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
         | Channel::PotentialEnergy
         | Channel::MomentBody
         | Channel::ForceWorld
+        | Channel::Acceleration
         // Of a body that nothing acts on, the direction of L in the body is that of Iω.
         | Channel::Tilt
         | Channel::PrecessionRate
@@ -80,13 +88,17 @@ fn needs_attitude(problem: &Problem, channel: Channel) -> bool {
         | Channel::EulerXyz
         | Channel::FigureAngles
         | Channel::JacobiIntegral
-        | Channel::KovalevskayaIntegral => true,
+        | Channel::KovalevskayaIntegral
+        | Channel::PositionBody
+        | Channel::VelocityBody
+        | Channel::AccelerationBody
+        | Channel::Accelerometer => true,
     }
 }
 
 /// Whether position and velocity are propagated, for the sake of these channels or of the loads.
-pub fn wants_translation(problem: &Problem, moves: bool, channels: &[Channel]) -> bool {
-    moves && (problem.looks_at_translation() || channels.iter().any(|channel| needs_translation(*channel)))
+pub fn wants_translation<'a>(problem: &Problem, moves: bool, mut channels: impl Iterator<Item = &'a Channel>) -> bool {
+    moves && (problem.looks_at_translation() || channels.any(|channel| needs_translation(*channel)))
 }
 
 const fn needs_translation(channel: Channel) -> bool {
@@ -94,6 +106,8 @@ const fn needs_translation(channel: Channel) -> bool {
         channel,
         Channel::Position
             | Channel::Velocity
+            | Channel::PositionBody
+            | Channel::VelocityBody
             | Channel::TranslationalEnergy
             | Channel::KineticEnergy
             | Channel::PotentialEnergy

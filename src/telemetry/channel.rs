@@ -65,6 +65,18 @@ pub enum Channel {
     JacobiIntegral,
     /// |(ω₁ + iω₂)² + (a₁ + ia₂)(f₁ + if₂)/I₃|², of a top of moments 2, 2, 1 that the force f pulls at the arm a.
     KovalevskayaIntegral,
+    /// Acceleration of the reference point, or of a body's point, in world axes.
+    Acceleration,
+    /// The position's components along body axes, from the world's origin.
+    PositionBody,
+    /// The velocity's components along body axes.
+    VelocityBody,
+    /// The acceleration's components along body axes.
+    AccelerationBody,
+    /// ω in the axes of an IMU.
+    Gyroscope,
+    /// Acceleration less gravity, the specific force, where an IMU is, in its axes.
+    Accelerometer,
 }
 
 /// One row of the table of channels.
@@ -99,7 +111,7 @@ const FIGURE: &[&str] = &["precession", "nutation", "spin"];
 
 impl Channel {
     /// Every channel, in the order in which recordings hold them.
-    pub const ALL: [Self; 31] = [
+    pub const ALL: [Self; 37] = [
         Self::Attitude,
         Self::AngularVelocity,
         Self::AngularVelocityWorld,
@@ -131,6 +143,12 @@ impl Channel {
         Self::KineticEnergy,
         Self::JacobiIntegral,
         Self::KovalevskayaIntegral,
+        Self::Acceleration,
+        Self::PositionBody,
+        Self::VelocityBody,
+        Self::AccelerationBody,
+        Self::Gyroscope,
+        Self::Accelerometer,
     ];
 
     /// Name, title, unit and components.
@@ -169,6 +187,14 @@ impl Channel {
             Self::JacobiIntegral => ("jacobi_integral", "Jacobi's integral", "J", "j", SCALAR),
             Self::KovalevskayaIntegral => {
                 ("kovalevskaya_integral", "Kovalevskaya's integral", "rad⁴/s⁴", "rad4_s4", SCALAR)
+            }
+            Self::Acceleration => ("acceleration", "acceleration in world axes", "m/s²", "m_s2", VECTOR),
+            Self::PositionBody => ("position_body", "position in body axes", "m", "m", VECTOR),
+            Self::VelocityBody => ("velocity_body", "velocity in body axes", "m/s", "m_s", VECTOR),
+            Self::AccelerationBody => ("acceleration_body", "acceleration in body axes", "m/s²", "m_s2", VECTOR),
+            Self::Gyroscope => ("gyroscope", "gyroscope, ω in its own axes", "rad/s", "rad_s", VECTOR),
+            Self::Accelerometer => {
+                ("accelerometer", "accelerometer, specific force in its own axes", "m/s²", "m_s2", VECTOR)
             }
         };
         Row { name, title, unit, unit_suffix, components }

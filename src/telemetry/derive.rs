@@ -1,7 +1,8 @@
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{UnitQuaternion, Vector3};
 
-use super::{BodySamples, Channel, Encircled, EulerSequence, FigureAxis, FigureFrame, separatrix_distance};
-use crate::body::{AngularVelocity, Attitude, State};
+use super::batch::Batch;
+use super::{BodySamples, Channel, Encircled, EulerSequence, FigureAxis, FigureFrame, Mounting, separatrix_distance};
+use crate::body::State;
 use crate::dynamics::{InnerSphere, Kovalevskaya, MomentumLaw, Problem, rotational_energy, translational_energy};
 use crate::propagation::States;
 
@@ -20,6 +21,7 @@ pub struct Derivation {
     initial_energy_scale: f64,
     initial_momentum: Vector3<f64>,
     sphere: Option<InnerSphere>,
+    reference_point: Mounting,
     largest_rotor_momentum: f64,
 }
 
@@ -40,8 +42,16 @@ impl Derivation {
             initial_momentum: initial_momentum(problem),
             largest_rotor_momentum: problem.largest_rotor_momentum(),
             sphere: problem.inner_sphere(),
+            reference_point: Mounting::at_reference_point(body_from_principal),
             problem: problem.clone(),
         }
+    }
+
+    /// The same of a body that is held at its reference point, which no load tells.
+    #[must_use]
+    pub fn held(mut self) -> Self {
+        self.reference_point.held_against = Some(Vector3::zeros());
+        self
     }
 
     /// Fills the columns of `samples` from `states` at `times`.
@@ -147,6 +157,12 @@ impl Derivation {
             Channel::KovalevskayaIntegral => batch.scalars(columns, |_, _, state| {
                 self.kovalevskaya.as_ref().map_or(0.0, |integral| integral.value(state))
             }),
+            Channel::Acceleration
+            | Channel::PositionBody
+            | Channel::VelocityBody
+            | Channel::AccelerationBody
+            | Channel::Gyroscope
+            | Channel::Accelerometer => self.reference_point.read(problem, channel, batch, columns),
         }
     }
 
@@ -262,66 +278,6 @@ fn initial_momentum(problem: &Problem) -> Vector3<f64> {
     let momentum = problem.momentum_in_world(0.0, &problem.initial);
     let of_sphere = |sphere: InnerSphere| problem.initial.attitude.to_world(&sphere.momentum(&sphere.initial));
     problem.inner_sphere().map_or(momentum, |sphere| momentum + of_sphere(sphere))
-}
-
-/// The states of a batch, one at a time. What was not propagated stays as it was at t = 0: it is constant, or no channel
-/// looks at it.
-struct Batch<'a> {
-    times: &'a [f64],
-    states: &'a States,
-    initial: &'a State,
-}
-
-impl Batch<'_> {
-    #[inline(always)]
-    fn state(&self, index: usize) -> State {
-        let vector = |columns: &[Vec<f64>; 3], constant: &Vector3<f64>| {
-            if columns[0].is_empty() { *constant } else { Vector3::from_fn(|row, _| columns[row][index]) }
-        };
-        State {
-            attitude: Attitude::from_world_from_body(self.attitude(index)),
-            angular_velocity: AngularVelocity::from_vector(vector(&self.states.angular_velocity, &Vector3::zeros())),
-            position: vector(&self.states.position, &self.initial.position),
-            velocity: vector(&self.states.velocity, &self.initial.velocity),
-        }
-    }
-
-    /// σ of a sphere inside the body, in principal axes.
-    fn inner(&self, index: usize) -> Vector3<f64> {
-        Vector3::from_fn(|row, _| self.states.inner[row].get(index).copied().unwrap_or_default())
-    }
-
-    /// World from principal; the identity where no attitude was propagated, as then no channel looks at it.
-    #[inline(always)]
-    fn attitude(&self, index: usize) -> UnitQuaternion<f64> {
-        let [w, x, y, z] = &self.states.attitude;
-        if w.is_empty() {
-            return UnitQuaternion::identity();
-        }
-        UnitQuaternion::new_unchecked(Quaternion::new(w[index], x[index], y[index], z[index]))
-    }
-
-    /// Fills three columns with what `value` makes of time and state.
-    #[inline(always)]
-    fn vectors(&self, columns: &mut [Vec<f64>], value: impl Fn(f64, &State) -> Vector3<f64>) {
-        for column in columns.iter_mut() {
-            column.resize(self.times.len(), 0.0);
-        }
-        let [x, y, z] = columns else { return };
-        for (index, (((x, y), z), time)) in x.iter_mut().zip(y).zip(z).zip(self.times).enumerate() {
-            [*x, *y, *z] = value(*time, &self.state(index)).into();
-        }
-    }
-
-    /// Fills a column with what `value` makes of index, time and state.
-    #[inline(always)]
-    fn scalars(&self, columns: &mut [Vec<f64>], mut value: impl FnMut(usize, f64, &State) -> f64) {
-        let [column] = columns else { return };
-        column.resize(self.times.len(), 0.0);
-        for (index, (place, time)) in column.iter_mut().zip(self.times).enumerate() {
-            *place = value(index, *time, &self.state(index));
-        }
-    }
 }
 
 fn copy(from: &[Vec<f64>], to: &mut [Vec<f64>]) {

@@ -69,6 +69,8 @@ mod planned;
 #[cfg(feature = "cli")]
 mod plots;
 mod precise;
+#[cfg(feature = "serde")]
+mod probes;
 mod promises;
 mod properties;
 #[cfg(feature = "serde")]

@@ -77,6 +77,7 @@ fn body(name: &str, channels: &[Channel]) -> PlannedBody {
         path: Path::ClosedForm,
         reason: "no torque".into(),
         channels: channels.to_vec(),
+        points: Vec::new(),
         skipped: Vec::new(),
         moves: false,
         is_pivoted: false,

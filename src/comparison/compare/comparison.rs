@@ -163,11 +163,21 @@ impl Comparison {
     }
 }
 
-/// The bodies of a scene that are compared, in their order, with the channels compared.
-fn following<'a>(plan: &'a Plan, bodies: &[Matched], side: usize) -> Vec<(&'a PlannedBody, Vec<Channel>)> {
-    let followed = |(number, body)| {
+/// The bodies of a scene in their order, and their points, with the channels that are compared.
+fn following(plan: &Plan, bodies: &[Matched], side: usize) -> Vec<PlannedBody> {
+    let compared = |number: usize| {
         let matched = bodies.iter().find(|matched| matched.numbers[side] == number);
-        (body, matched.map(|matched| matched.channels.clone()).unwrap_or_default())
+        matched.map(|matched| matched.channels.clone()).unwrap_or_default()
+    };
+    // Points are numbered after all bodies.
+    let mut point = plan.bodies.len();
+    let followed = |(number, body): (usize, &PlannedBody)| {
+        let mut body = body.clone();
+        for known in &mut body.points {
+            known.channels = compared(point);
+            point += 1;
+        }
+        body.watching(&compared(number))
     };
     plan.bodies.iter().enumerate().map(followed).collect()
 }

@@ -22,7 +22,7 @@ const SHARED: [(&str, &[(Channel, &str)]); 2] = [
     ("drift, relative", &[(Channel::EnergyDrift, "energy"), (Channel::MomentumDrift, "L"), (Channel::Slip, "slip")]),
 ];
 /// In the order in which they are looked at.
-const ORDER: [Channel; 22] = [
+const ORDER: [Channel; 28] = [
     Channel::AngularVelocity,
     Channel::AngularVelocityWorld,
     Channel::AngularMomentumWorld,
@@ -33,6 +33,12 @@ const ORDER: [Channel; 22] = [
     Channel::MomentWorld,
     Channel::Position,
     Channel::Velocity,
+    Channel::Acceleration,
+    Channel::PositionBody,
+    Channel::VelocityBody,
+    Channel::AccelerationBody,
+    Channel::Gyroscope,
+    Channel::Accelerometer,
     Channel::ForceWorld,
     Channel::Attitude,
     Channel::FigureAngles,

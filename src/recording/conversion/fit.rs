@@ -3,7 +3,7 @@ use std::path::Path;
 use super::shorten::shortened;
 use crate::recording::subject::CHECK;
 use crate::recording::{Heading, Range, Recording, Sampling, Survey, subject};
-use crate::scenario::{Certificate, Plan, PlannedBody};
+use crate::scenario::{Certificate, Plan, Watched};
 use crate::telemetry::{BodySamples, Channel};
 
 /// The fact that a recording was recovered; its value says how much of it.
@@ -55,13 +55,13 @@ pub fn check_values(plan: &Plan, survey: &Survey, path: &Path) -> Result<(), Str
         }
     }
     let mut ranges = survey.ranges.iter();
-    for (body, recorded) in plan.bodies.iter().zip(&looks.bodies) {
-        let expected = body.sample(&body.channels, &looks.times_s).map_err(|error| error.to_string())?;
-        for channel in &body.channels {
+    for (watched, recorded) in plan.watched().zip(&looks.bodies) {
+        let expected = watched.sample(watched.channels(), &looks.times_s).map_err(|error| error.to_string())?;
+        for channel in watched.channels() {
             let columns = |samples: &BodySamples| samples.channel(*channel).unwrap_or_default().to_vec();
             for (expected, recorded) in columns(&expected).iter().zip(&columns(recorded)) {
                 let largest = ranges.next().map_or(0.0, Range::largest);
-                check_column(body, *channel, largest, &looks.times_s, (expected, recorded))?;
+                check_column(watched, *channel, largest, &looks.times_s, (expected, recorded))?;
             }
         }
     }
@@ -76,7 +76,7 @@ struct Looks {
 
 impl Looks {
     fn new(plan: &Plan) -> Self {
-        let bodies = plan.bodies.iter().map(|body| BodySamples::new(&body.channels)).collect();
+        let bodies = plan.watched().map(|watched| BodySamples::new(watched.channels())).collect();
         Self { times_s: Vec::new(), bodies }
     }
 
@@ -94,7 +94,7 @@ impl Looks {
 }
 
 fn check_column(
-    body: &PlannedBody,
+    watched: Watched,
     channel: Channel,
     largest: f64,
     times_s: &[f64],
@@ -108,24 +108,25 @@ fn check_column(
         let is_near = (expected - recorded).abs() <= FIT * largest || expected.to_bits() == recorded.to_bits();
         if !is_near {
             let name = channel.row().name;
-            return Err(format!("{name} of {} at {time_s} s is {recorded}, not {expected}", body.name));
+            return Err(format!("{name} of {} at {time_s} s is {recorded}, not {expected}", watched.name()));
         }
     }
     Ok(())
 }
 
 fn check_bodies(plan: &Plan, heading: &Heading) -> Result<(), String> {
-    let (planned, recorded) = (plan.bodies.len(), heading.bodies.len());
+    let (planned, recorded) = (plan.watched().count(), heading.bodies.len());
     if planned != recorded {
-        return Err(format!("the scene has {planned} bodies, the recording {recorded}"));
+        return Err(format!("the scene has {planned} bodies, probes and IMUs, the recording {recorded}"));
     }
     let tells_names = tells_scene(heading) || recorded > 1;
-    for (body, recorded) in plan.bodies.iter().zip(&heading.bodies) {
-        if tells_names && body.name != recorded.name {
-            return Err(format!("the scene has a body {}, the recording {}", body.name, recorded.name));
+    for (watched, recorded) in plan.watched().zip(&heading.bodies) {
+        let name = watched.name();
+        if tells_names && name != recorded.name {
+            return Err(format!("the scene has a body {name}, the recording {}", recorded.name));
         }
-        if body.channels != recorded.channels {
-            return Err(format!("the scene has other channels of {} than the recording", body.name));
+        if watched.channels() != recorded.channels {
+            return Err(format!("the scene has other channels of {name} than the recording"));
         }
     }
     Ok(())

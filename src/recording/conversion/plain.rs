@@ -12,10 +12,12 @@ pub fn plain(
     survey: &Survey,
     facts: BTreeMap<String, String>,
 ) -> Result<Subject<'static>, RecordingError> {
-    let is_fit = |name: &str| {
+    let is_word = |name: &str| {
         let is_fit = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == '-';
         !name.is_empty() && name.len() <= 64 && name.chars().all(is_fit)
     };
+    // A body, or a body and a point of it.
+    let is_fit = |name: &str| name.split_once('/').map_or_else(|| is_word(name), |(a, b)| is_word(a) && is_word(b));
     if let Some(body) = survey.heading.bodies.iter().find(|body| !is_fit(&body.name)) {
         let rule = format!("a body is called {:?}: at most 64 letters, digits, _ and -", body.name);
         return Err(RecordingError::NotRepresentable { path: path.into(), rule });

@@ -22,7 +22,8 @@ pub(super) fn observe(recording: &mut Recording) -> Result<Observation, Recordin
     if times.is_empty() {
         return Err(recording.refuse("it has no samples".into()));
     }
-    let bodies = recording.heading().bodies.iter().zip(&mut samples.bodies);
+    // A point of a body obeys no law of its own.
+    let bodies = recording.heading().bodies.iter().zip(&mut samples.bodies).filter(|(body, _)| !body.is_point());
     let bodies: Vec<_> =
         bodies.map(|(body, samples)| observed(body, samples, &times)).filter(Observed::tells).collect();
     if bodies.is_empty() {

@@ -1,7 +1,7 @@
 use super::{Sampling, facts};
 use crate::recording::picture::Picture;
 use crate::recording::{Heading, RecordedBody};
-use crate::scenario::Plan;
+use crate::scenario::{Plan, Watched};
 
 /// What a recording is of. A run makes it from its plan, a [`Conversion`](crate::recording::Conversion) from what the
 /// recording that it reads says of itself.
@@ -56,12 +56,12 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// The plan's bodies, as far as recordings tell of them.
+/// The plan's bodies and the points of them, as far as recordings tell of them.
 pub fn bodies(plan: &Plan, provenance: &[(String, String)]) -> Vec<RecordedBody> {
-    let body = |body: &crate::scenario::PlannedBody| RecordedBody {
-        name: body.name.clone(),
-        channels: body.channels.clone(),
-        certificate: facts::certificate(provenance, &body.name),
+    let body = |watched: Watched| RecordedBody {
+        name: watched.name().to_owned(),
+        channels: watched.channels().to_vec(),
+        certificate: facts::certificate(provenance, watched.name()),
     };
-    plan.bodies.iter().map(body).collect()
+    plan.watched().map(body).collect()
 }

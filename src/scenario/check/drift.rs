@@ -1,11 +1,11 @@
 use super::crossing::evenly;
 use crate::propagation::PropagationError;
-use crate::scenario::PlannedBody;
+use crate::scenario::Watched;
 use crate::telemetry::Channel;
 
 /// The largest magnitude of a drift channel at a thousand times over `duration`, as a fraction.
-pub fn largest(body: &PlannedBody, channel: Channel, duration: f64) -> Result<f64, PropagationError> {
-    let samples = body.sample(&[channel], &evenly(0.0, duration, 1000))?;
+pub fn largest(watched: Watched<'_>, channel: Channel, duration: f64) -> Result<f64, PropagationError> {
+    let samples = watched.sample(&[channel], &evenly(0.0, duration, 1000))?;
     // A NaN must fail the check, and `max` would hide it.
     let largest = |worst: f64, drift: &f64| if drift.is_nan() { f64::NAN } else { worst.max(drift.abs()) };
     Ok(samples.columns()[0].iter().fold(0.0, largest) * 1e-15)
@@ -13,11 +13,11 @@ pub fn largest(body: &PlannedBody, channel: Channel, duration: f64) -> Result<f6
 
 /// The largest change of a component since t = 0, at a thousand times over `duration`, relative to its largest magnitude.
 pub fn largest_change(
-    body: &PlannedBody,
+    watched: Watched<'_>,
     (channel, component): (Channel, usize),
     duration: f64,
 ) -> Result<f64, PropagationError> {
-    let samples = body.sample(&[channel], &evenly(0.0, duration, 1000))?;
+    let samples = watched.sample(&[channel], &evenly(0.0, duration, 1000))?;
     let column = &samples.columns()[component];
     let largest = |value: &dyn Fn(f64) -> f64| {
         // A NaN must fail the check, and `max` would hide it.

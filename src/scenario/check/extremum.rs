@@ -1,6 +1,6 @@
 use super::crossing::evenly;
 use crate::propagation::PropagationError;
-use crate::scenario::{Extremum, PlannedBody};
+use crate::scenario::{Extremum, Watched};
 use crate::telemetry::Channel;
 
 /// Times of the first look.
@@ -10,7 +10,7 @@ const CLOSE_LOOKS: usize = 64;
 
 /// The least or greatest value between two times, s.
 pub fn within(
-    body: &PlannedBody,
+    watched: Watched<'_>,
     (channel, component): (Channel, usize),
     extremum: Extremum,
     (from, to): (f64, f64),
@@ -23,7 +23,7 @@ pub fn within(
     let mut best = f64::NAN;
     // An extremum is flat: its value is known to rounding once its time is to 1e-8 of what it turns in.
     for _ in 0..6 {
-        let samples = body.sample(&[channel], &times)?;
+        let samples = watched.sample(&[channel], &times)?;
         let values = &samples.columns()[component];
         let mut at = 0;
         for (index, value) in values.iter().enumerate() {

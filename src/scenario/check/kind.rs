@@ -117,7 +117,7 @@ impl CheckPlan {
         }
     }
 
-    /// What is measured, of which of several bodies.
+    /// What is measured, of which of several bodies or of which point.
     #[must_use]
     pub fn name(&self, bodies: &[PlannedBody]) -> String {
         let what = match &self.kind {
@@ -138,7 +138,8 @@ impl CheckPlan {
             CheckKind::Stability { angle, .. } => format!("leaves {angle} rad"),
             CheckKind::MontgomeryPhase { .. } => "Montgomery phase per period".to_owned(),
         };
-        if bodies.len() == 1 { what } else { format!("{}: {what}", bodies[self.body].name) }
+        let is_told = bodies.len() > 1 || self.point.is_some();
+        if is_told { format!("{}: {what}", self.watched(bodies).name()) } else { what }
     }
 }
 

@@ -1,6 +1,6 @@
 use super::{CheckKind, crossing, drift, extremum, montgomery, period, precession, rate, stability, value};
 use crate::propagation::PropagationError;
-use crate::scenario::{Frame, Plan, PlannedBody};
+use crate::scenario::{Frame, Plan, PlannedBody, Watched};
 use crate::telemetry::Channel;
 
 /// A check, ready to be measured.
@@ -8,6 +8,8 @@ use crate::telemetry::Channel;
 pub struct CheckPlan {
     /// Number of the body it speaks of.
     pub body: usize,
+    /// Number of the point of that body, if it speaks of one.
+    pub point: Option<usize>,
     /// What is measured.
     pub kind: CheckKind,
     /// What must be found, in `unit`.
@@ -76,30 +78,37 @@ impl CheckOutcome {
 }
 
 impl CheckPlan {
+    /// What it speaks of.
+    pub(super) fn watched<'a>(&self, bodies: &'a [PlannedBody]) -> Watched<'a> {
+        let body = &bodies[self.body];
+        Watched { body, point: self.point.map(|number| &body.points[number]) }
+    }
+
     fn measure(&self, bodies: &[PlannedBody]) -> Result<CheckOutcome, PropagationError> {
         let body = &bodies[self.body];
+        let watched = self.watched(bodies);
         let measured = match &self.kind {
             CheckKind::FlipPeriod => crossing::flip_period(body, self.expected)?,
-            CheckKind::Energy { duration } => drift::largest(body, Channel::EnergyDrift, *duration)?,
-            CheckKind::Momentum { duration } => drift::largest(body, Channel::MomentumDrift, *duration)?,
+            CheckKind::Energy { duration } => drift::largest(watched, Channel::EnergyDrift, *duration)?,
+            CheckKind::Momentum { duration } => drift::largest(watched, Channel::MomentumDrift, *duration)?,
             CheckKind::PrecessionRate { frame: Frame::World, axis, around, duration } => {
                 precession::in_world(body, axis, around.as_ref(), *duration, self.expected)?
             }
             CheckKind::PrecessionRate { frame: Frame::Body, axis, duration, .. } => {
                 precession::in_body(body, axis, *duration, self.expected)?
             }
-            CheckKind::Value { channel, component, time } => value::at(body, *channel, *component, *time)?,
+            CheckKind::Value { channel, component, time } => value::at(watched, *channel, *component, *time)?,
             CheckKind::Period { channel, component, level, cycles } => {
-                period::mean(body, (*channel, *component), *level, *cycles, self.expected)?
+                period::mean(watched, (*channel, *component), *level, *cycles, self.expected)?
             }
             CheckKind::Rate { channel, component, duration } => {
-                rate::mean(body, (*channel, *component), *duration, self.expected)?
+                rate::mean(watched, (*channel, *component), *duration, self.expected)?
             }
             CheckKind::Extremum { channel, component, extremum, from, to } => {
-                extremum::within(body, (*channel, *component), *extremum, (*from, *to))?
+                extremum::within(watched, (*channel, *component), *extremum, (*from, *to))?
             }
             CheckKind::Conserved { channel, component, duration } => {
-                drift::largest_change(body, (*channel, *component), *duration)?
+                drift::largest_change(watched, (*channel, *component), *duration)?
             }
             CheckKind::Stability { axis, near, duration, .. } => {
                 stability::largest_angle(body, axis, near.as_ref(), *duration)?

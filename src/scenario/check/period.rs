@@ -1,6 +1,6 @@
 use super::crossing::{evenly, narrowed, sign_changes};
 use crate::propagation::PropagationError;
-use crate::scenario::PlannedBody;
+use crate::scenario::Watched;
 use crate::telemetry::Channel;
 
 /// Times at which a period is looked through for crossings.
@@ -8,7 +8,7 @@ const LOOKS: usize = 512;
 
 /// Mean time between `cycles` + 1 upward crossings of `level`, s; NaN if they do not come in time.
 pub fn mean(
-    body: &PlannedBody,
+    watched: Watched<'_>,
     (channel, component): (Channel, usize),
     level: f64,
     cycles: u16,
@@ -17,7 +17,7 @@ pub fn mean(
     // Of an angle that comes round, the sine crosses zero where the angle does, and does not jump.
     let above = |value: f64| if channel.comes_round() { libm::sin(value - level) } else { value - level };
     let values = |times: &[f64]| -> Result<Vec<f64>, PropagationError> {
-        let samples = body.sample(&[channel], times)?;
+        let samples = watched.sample(&[channel], times)?;
         Ok(samples.columns()[component].iter().map(|value| above(*value)).collect())
     };
     // Two more: one that may begin at once, and room for a period that is longer than expected.

@@ -1,14 +1,14 @@
 use std::collections::HashSet;
 
 use super::rules::{optional_vector, rotation, unused, vector};
-use super::{channels, loads, mass, path, work};
+use super::{channels, loads, mass, path, points, work};
 use crate::body::{AngularVelocity, Attitude, MassProperties, State};
 use crate::dynamics::{Load, Problem, rotor_momentum};
 use crate::scenario::faults::{Faults, MOST_FAULTS};
 use crate::scenario::watch::wants_translation;
 use crate::scenario::{BodySpec, Grid, Key, PlannedBody, Refusal, Scenario};
 
-/// Bodies of a scene: as many as a recording can have.
+/// Bodies of a scene, with their probes and IMUs: as many as a recording can have.
 pub const MOST_BODIES: usize = 65_535;
 
 /// All bodies, each with its path, or what is refused of each.
@@ -36,6 +36,11 @@ pub fn plan(scenario: &Scenario, grid: &Grid) -> Result<Vec<PlannedBody>, Faults
         if refusals.len() == MOST_FAULTS {
             break;
         }
+    }
+    let recorded = bodies.len() + bodies.iter().map(|body| body.points.len()).sum::<usize>();
+    if refusals.is_empty() && recorded > MOST_BODIES {
+        let rule = format_args!("{recorded} bodies, probes and IMUs: at most {MOST_BODIES}");
+        refusals.push(Key::root("body").refuse(rule));
     }
     Faults::of(refusals).map_or(Ok(bodies), Err)
 }
@@ -73,7 +78,9 @@ fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: Stri
     };
     let recorded = channels::choose(scenario, &problem, moves)?;
     // What else is propagated bears on the steps, and a trial is to make those of the run.
-    problem.wants_translation = wants_translation(&problem, moves, &recorded);
+    let points = points::plan(key, spec, &name, &properties)?;
+    let all = recorded.iter().chain(points.iter().flat_map(|point| &point.channels));
+    problem.wants_translation = wants_translation(&problem, moves, all);
     let accuracy = path::accuracy(scenario, grid)?;
     work::check(scenario, &problem, moves, grid.end())?;
     let (path, reason) = path::choose(scenario, &problem, moves, &accuracy)?;
@@ -85,6 +92,7 @@ fn body(scenario: &Scenario, grid: &Grid, key: &Key, spec: &BodySpec, name: Stri
         path,
         reason,
         channels: Vec::new(),
+        points,
         skipped: Vec::new(),
         is_pivoted,
         moves,

@@ -77,6 +77,9 @@ pub fn missing_law(problem: &Problem, channel: Channel) -> Option<&'static str> 
             "has no meaning here: it is of a top whose moments are as 2 to 2 to 1, under one force constant in the world, \
              all the time, at an arm across the axis of the least moment",
         ),
+        Channel::Gyroscope | Channel::Accelerometer => {
+            Some("is read by an IMU: give the body an [[body.imu]], which names its place")
+        }
         _ => None,
     }
 }

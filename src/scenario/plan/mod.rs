@@ -9,6 +9,7 @@ mod mass;
 mod mesh;
 mod new;
 mod path;
+mod points;
 mod promise;
 mod rules;
 mod sampling;

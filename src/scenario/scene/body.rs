@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 #[cfg(feature = "serde")]
 use serde::Deserialize;
 
-use super::{ForceSpecs, RotorSpec, SolidSpecs, TorqueSpecs};
+use super::{ForceSpecs, ImuSpec, ProbeSpec, RotorSpec, SolidSpecs, TorqueSpecs};
 #[cfg(feature = "schema")]
 use crate::scenario::schema::structure;
 
@@ -49,6 +49,10 @@ pub struct BodySpec {
     pub gravity_m_s2: Option<[f64; 3]>,
     /// A point of the body that is held fixed; left out: the body is free.
     pub pivot: Option<PivotSpec>,
+    /// Points whose motion is recorded.
+    pub probe: Vec<ProbeSpec>,
+    /// Gyroscopes with accelerometers, whose readings are recorded.
+    pub imu: Vec<ImuSpec>,
     /// Wheels that spin inside; the inertia given includes them.
     pub rotor: Vec<RotorSpec>,
     /// Torques.

@@ -6,6 +6,7 @@ mod checks;
 mod general_loads;
 mod loads;
 mod motion_checks;
+mod points;
 mod scenario;
 mod solids;
 
@@ -21,5 +22,6 @@ pub use loads::{
     RotorSpec, TableSpec, ThrusterSpec, TorqueSpecs,
 };
 pub use motion_checks::{MontgomeryPhaseSpec, ObservedSpec, StabilitySpec, Verdict};
+pub use points::{ImuSpec, ProbeSpec};
 pub use scenario::{Method, Provenance, Scenario, Setting};
 pub use solids::{BoxSpec, EllipsoidSpec, RoundSpec, SolidSpecs, SphereSpec, TorusSpec};

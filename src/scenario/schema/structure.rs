@@ -75,7 +75,7 @@ pub fn each_positive(schema: &mut Schema) {
 
 /// The name of a channel.
 pub fn channel(_: &mut SchemaGenerator) -> Schema {
-    let names = Channel::ALL.map(|channel| channel.row().name);
+    let names = Channel::ALL.map(|channel| channel.row().name).to_vec();
     json_schema!({ "type": "string", "enum": names })
 }
 

@@ -28,7 +28,8 @@ pub fn plan(name: &str) -> Result<Plan, GoldenError> {
 /// What thins the samples of `plan`, as an assignment, if there are too many.
 fn times(plan: &Plan, channels: Option<&[Channel]>) -> Option<String> {
     let recorded = plan.bodies.iter().flat_map(|body| channels.unwrap_or(&body.channels));
-    let columns = 1 + recorded.map(|channel| channel.width()).sum::<usize>();
+    let of_points = plan.bodies.iter().flat_map(|body| &body.points).flat_map(|point| &point.channels);
+    let columns = 1 + recorded.chain(of_points).map(|channel| channel.width()).sum::<usize>();
     let most = (NUMBERS / columns).clamp(FEWEST, MOST);
     let stride = plan.grid.len().saturating_sub(1).div_ceil(most as u64);
     (stride > 1).then(|| match &plan.grid {

@@ -13,7 +13,7 @@ use crate::scenario::nanoseconds;
 use crate::telemetry::Channel;
 
 /// Channels that share a plot, and its title: what people look at first comes first. Never a drift beside its quantity.
-const PLOTS: [(&str, &[Channel]); 23] = [
+const PLOTS: [(&str, &[Channel]); 29] = [
     ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
     ("tilt (rad)", &[Channel::Tilt]),
     ("precession rate (rad/s)", &[Channel::PrecessionRate]),
@@ -33,6 +33,12 @@ const PLOTS: [(&str, &[Channel]); 23] = [
     ("drift, relative (1e-15)", &[Channel::EnergyDrift, Channel::MomentumDrift, Channel::Slip]),
     ("position in world axes (m)", &[Channel::Position]),
     ("velocity in world axes (m/s)", &[Channel::Velocity]),
+    ("acceleration in world axes (m/s²)", &[Channel::Acceleration]),
+    ("position in body axes (m)", &[Channel::PositionBody]),
+    ("velocity in body axes (m/s)", &[Channel::VelocityBody]),
+    ("acceleration in body axes (m/s²)", &[Channel::AccelerationBody]),
+    ("gyroscope (rad/s)", &[Channel::Gyroscope]),
+    ("accelerometer (m/s²)", &[Channel::Accelerometer]),
     ("force in world axes (N)", &[Channel::ForceWorld]),
     ("ω in world axes (rad/s)", &[Channel::AngularVelocityWorld]),
     ("L in body axes (N m s)", &[Channel::AngularMomentumBody]),

@@ -34,7 +34,7 @@ pub(super) fn entity(body: &str, channel: Channel) -> String {
 
 /// Of which body and channel the columns at `entity` are; `None` where there are none.
 pub(super) fn channel_of(entity: &str) -> Option<(&str, Channel)> {
-    let (body, channel) = entity.strip_prefix("/body/")?.split_once("/plots/")?;
+    let (body, channel) = entity.strip_prefix("/body/")?.rsplit_once("/plots/")?;
     Some((body, Channel::from_name(channel)?))
 }
 
@@ -167,6 +167,11 @@ fn symbol(channel: Channel) -> &'static str {
         Channel::KineticEnergy => "kinetic",
         Channel::JacobiIntegral => "Jacobi",
         Channel::KovalevskayaIntegral => "Kovalevskaya",
+        Channel::Acceleration | Channel::AccelerationBody => "a",
+        Channel::PositionBody => "r",
+        Channel::VelocityBody => "v",
+        Channel::Gyroscope => "ω",
+        Channel::Accelerometer => "f",
     }
 }
 

@@ -26,14 +26,14 @@ pub(super) fn write<W: Write>(stream: &mut Stream<W>, store: Store, subject: &Su
     stream.once(store, PROVENANCE, &[], &TextDocument::new(lines(&subject.heading.provenance)))
 }
 
-/// Entity that tells that there is a body of that name, whether anything is recorded of it or not.
+/// Entity that tells that there is a body, or a point of one, of that name, whether anything is recorded of it or not.
 pub(super) fn body(name: &str) -> String {
     format!("/body/{name}")
 }
 
-/// The body that `entity` tells of.
+/// The body, or the point of one, that `entity` tells of.
 pub(super) fn body_of(entity: &str) -> Option<&str> {
-    entity.strip_prefix("/body/").filter(|name| !name.contains('/'))
+    entity.strip_prefix("/body/").filter(|name| name.matches('/').count() < 2)
 }
 
 /// Which bodies there are, and which channels of them, in their order.

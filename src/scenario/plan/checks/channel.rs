@@ -1,4 +1,4 @@
-use super::plan::{body, observation, quantity};
+use super::plan::{Quantity, observation, quantity};
 use crate::scenario::plan::rules::{finite, not_negative, positive};
 use crate::scenario::{
     CheckKind, CheckPlan, Checks, ConservedSpec, ExtremumSpec, Key, PeriodSpec, PlannedBody, RateSpec, Refusal,
@@ -26,14 +26,15 @@ pub fn plan(root: &Key, checks: &Checks, bodies: &[PlannedBody], end: f64) -> Re
 }
 
 fn period(key: &Key, spec: &PeriodSpec, bodies: &[PlannedBody]) -> Result<CheckPlan, Refusal> {
-    let body = body(key, spec.body.as_deref(), bodies)?;
-    let (channel, component) = quantity(key, &bodies[body], &spec.channel, spec.component.as_deref())?;
+    let Quantity { body, point, channel, component } =
+        quantity(key, bodies, spec.body.as_deref(), (&spec.channel, spec.component.as_deref()))?;
     let cycles = spec.cycles.unwrap_or(1);
     if !(1..=MOST_CYCLES).contains(&cycles) {
         return Err(key.field("cycles").refuse(format_args!("{cycles} is not from 1 to {MOST_CYCLES}")));
     }
     Ok(CheckPlan {
         body,
+        point,
         kind: CheckKind::Period {
             channel,
             component,
@@ -48,8 +49,8 @@ fn period(key: &Key, spec: &PeriodSpec, bodies: &[PlannedBody]) -> Result<CheckP
 }
 
 fn rate(key: &Key, spec: &RateSpec, bodies: &[PlannedBody], end: f64) -> Result<CheckPlan, Refusal> {
-    let body = body(key, spec.body.as_deref(), bodies)?;
-    let (channel, component) = quantity(key, &bodies[body], &spec.channel, spec.component.as_deref())?;
+    let Quantity { body, point, channel, component } =
+        quantity(key, bodies, spec.body.as_deref(), (&spec.channel, spec.component.as_deref()))?;
     if !channel.comes_round() {
         let name = &spec.channel;
         let rule = format_args!("{name:?} is no angle that comes round; its values are for check.value");
@@ -57,6 +58,7 @@ fn rate(key: &Key, spec: &RateSpec, bodies: &[PlannedBody], end: f64) -> Result<
     }
     Ok(CheckPlan {
         body,
+        point,
         kind: CheckKind::Rate {
             channel,
             component,
@@ -70,8 +72,8 @@ fn rate(key: &Key, spec: &RateSpec, bodies: &[PlannedBody], end: f64) -> Result<
 }
 
 fn extremum(key: &Key, spec: &ExtremumSpec, bodies: &[PlannedBody], end: f64) -> Result<CheckPlan, Refusal> {
-    let body = body(key, spec.body.as_deref(), bodies)?;
-    let (channel, component) = quantity(key, &bodies[body], &spec.channel, spec.component.as_deref())?;
+    let Quantity { body, point, channel, component } =
+        quantity(key, bodies, spec.body.as_deref(), (&spec.channel, spec.component.as_deref()))?;
     let from = not_negative(&key.field("from_s"), spec.from_s.unwrap_or(0.0))?;
     let to = finite(&key.field("to_s"), spec.to_s.unwrap_or(end))?;
     if to <= from {
@@ -79,6 +81,7 @@ fn extremum(key: &Key, spec: &ExtremumSpec, bodies: &[PlannedBody], end: f64) ->
     }
     Ok(CheckPlan {
         body,
+        point,
         kind: CheckKind::Extremum { channel, component, extremum: spec.extremum, from, to },
         expected: finite(&key.field("expected"), spec.expected)?,
         tolerance: positive(&key.field("tolerance"), spec.tolerance)?,
@@ -88,10 +91,11 @@ fn extremum(key: &Key, spec: &ExtremumSpec, bodies: &[PlannedBody], end: f64) ->
 }
 
 fn conserved(key: &Key, spec: &ConservedSpec, bodies: &[PlannedBody], end: f64) -> Result<CheckPlan, Refusal> {
-    let body = body(key, spec.body.as_deref(), bodies)?;
-    let (channel, component) = quantity(key, &bodies[body], &spec.channel, spec.component.as_deref())?;
+    let Quantity { body, point, channel, component } =
+        quantity(key, bodies, spec.body.as_deref(), (&spec.channel, spec.component.as_deref()))?;
     Ok(CheckPlan {
         body,
+        point,
         kind: CheckKind::Conserved { channel, component, duration: end },
         expected: 0.0,
         tolerance: positive(&key.field("tolerance"), spec.tolerance)?,

@@ -31,6 +31,7 @@ fn stability(key: &Key, spec: &StabilitySpec, bodies: &[PlannedBody], end: f64) 
     };
     Ok(CheckPlan {
         body: body(key, spec.body.as_deref(), bodies)?,
+        point: None,
         kind: CheckKind::Stability {
             axis: unit_vector(&key.field("axis"), spec.axis)?,
             near: spec.near.map(|near| unit_vector(&key.field("near"), near)).transpose()?,
@@ -55,6 +56,7 @@ fn montgomery_phase(key: &Key, spec: &MontgomeryPhaseSpec, bodies: &[PlannedBody
     }
     Ok(CheckPlan {
         body,
+        point: None,
         kind: CheckKind::MontgomeryPhase { period: positive(&key.field("period_s"), spec.period_s)? },
         expected: finite(&key.field("expected_rad"), spec.expected_rad)?,
         tolerance: positive(&key.field("tolerance_rad"), spec.tolerance_rad)?,

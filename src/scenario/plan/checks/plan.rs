@@ -14,6 +14,7 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
         let key = root.field("flip_period").index(index);
         plans.push(CheckPlan {
             body: body(&key, spec.body.as_deref(), bodies)?,
+            point: None,
             kind: CheckKind::FlipPeriod,
             expected: positive(&key.field("expected_s"), spec.expected_s)?,
             tolerance: positive(&key.field("tolerance_s"), spec.tolerance_s)?,
@@ -33,7 +34,15 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
                 return Err(key.refuse(format_args!("{field} {rule}")));
             }
             let tolerance = positive(&key.field("tolerance"), spec.tolerance)?;
-            plans.push(CheckPlan { body, kind: kind.clone(), expected: 0.0, tolerance, unit: "", observed: None });
+            plans.push(CheckPlan {
+                body,
+                point: None,
+                kind: kind.clone(),
+                expected: 0.0,
+                tolerance,
+                unit: "",
+                observed: None,
+            });
         }
     }
     for (index, spec) in scenario.check.precession_rate.iter().enumerate() {
@@ -41,6 +50,7 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
         let around = spec.around.map(|around| unit_vector(&key.field("around"), around)).transpose()?;
         plans.push(CheckPlan {
             body: body(&key, spec.body.as_deref(), bodies)?,
+            point: None,
             kind: CheckKind::PrecessionRate {
                 frame: spec.frame,
                 axis: unit_vector(&key.field("axis"), spec.axis)?,
@@ -62,10 +72,11 @@ pub fn plan(scenario: &Scenario, bodies: &[PlannedBody], end: f64) -> Result<Vec
 }
 
 fn value(key: &Key, spec: &ValueSpec, bodies: &[PlannedBody]) -> Result<CheckPlan, Refusal> {
-    let body = body(key, spec.body.as_deref(), bodies)?;
-    let (channel, component) = quantity(key, &bodies[body], &spec.channel, spec.component.as_deref())?;
+    let Quantity { body, point, channel, component } =
+        quantity(key, bodies, spec.body.as_deref(), (&spec.channel, spec.component.as_deref()))?;
     Ok(CheckPlan {
         body,
+        point,
         kind: CheckKind::Value { channel, component, time: not_negative(&key.field("time_s"), spec.time_s)? },
         expected: finite(&key.field("expected"), spec.expected)?,
         tolerance: positive(&key.field("tolerance"), spec.tolerance)?,
@@ -74,17 +85,40 @@ fn value(key: &Key, spec: &ValueSpec, bodies: &[PlannedBody]) -> Result<CheckPla
     })
 }
 
-/// The channel called `name`, which `body` must have, and the number of the component.
+/// A component of a channel, and of what.
+pub struct Quantity {
+    /// Number of the body.
+    pub body: usize,
+    /// Number of its point, if it is of one.
+    pub point: Option<usize>,
+    /// Which channel.
+    pub channel: Channel,
+    /// Number of the component.
+    pub component: usize,
+}
+
+/// The channel and the component that a check names, of the body or the point that it names; the first body, if none.
 pub fn quantity(
     key: &Key,
-    body: &PlannedBody,
-    name: &str,
-    component: Option<&str>,
-) -> Result<(Channel, usize), Refusal> {
+    bodies: &[PlannedBody],
+    watched: Option<&str>,
+    (name, component): (&str, Option<&str>),
+) -> Result<Quantity, Refusal> {
+    let (body, point) = numbers(key, watched, bodies)?;
     let channel_key = key.field("channel");
     let channel = named(&channel_key, name)?;
-    if let Some(rule) = missing_law(&body.problem, channel) {
-        return Err(channel_key.refuse(format_args!("{name:?} {rule}")));
+    match point.map(|number| &bodies[body].points[number]) {
+        Some(point) if !point.channels.contains(&channel) => {
+            let known: Vec<_> = point.channels.iter().map(|channel| channel.row().name).collect();
+            let rule = format_args!("{name:?} is not recorded of {}: {} are", point.name, known.join(", "));
+            return Err(channel_key.refuse(rule));
+        }
+        Some(_) => {}
+        None => {
+            if let Some(rule) = missing_law(&bodies[body].problem, channel) {
+                return Err(channel_key.refuse(format_args!("{name:?} {rule}")));
+            }
+        }
     }
     let components = channel.row().components;
     let asked = component.unwrap_or_default();
@@ -92,7 +126,28 @@ pub fn quantity(
         let known = components.join(", ");
         key.field("component").refuse(format_args!("{asked:?} is no component of {name}: {known}"))
     })?;
-    Ok((channel, component))
+    Ok(Quantity { body, point, channel, component })
+}
+
+/// Numbers of the body and of the point of that name.
+fn numbers(key: &Key, name: Option<&str>, bodies: &[PlannedBody]) -> Result<(usize, Option<usize>), Refusal> {
+    let is_point = name.is_some_and(|name| name.contains('/'));
+    if !is_point {
+        return Ok((body(key, name, bodies)?, None));
+    }
+    let name = name.unwrap_or_default();
+    let points = || bodies.iter().enumerate().flat_map(|(body, planned)| std::iter::repeat(body).zip(&planned.points));
+    let found = points().find(|(_, point)| point.name == name).map(|(body, _)| body);
+    let Some(body) = found else {
+        let known = || points().map(|(_, point)| point.name.as_str());
+        let hint = nearest(name, known()).map_or_else(
+            || format!(": {}", known().collect::<Vec<_>>().join(", ")),
+            |near| format!("; did you mean {near:?}?"),
+        );
+        let hint = if known().next().is_some() { hint } else { ", which has none".to_owned() };
+        return Err(key.field("body").refuse(format_args!("{name:?} is no probe or IMU of this scene{hint}")));
+    };
+    Ok((body, bodies[body].points.iter().position(|point| point.name == name)))
 }
 
 /// What was observed, if a check tells it.
