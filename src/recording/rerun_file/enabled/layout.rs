@@ -8,7 +8,7 @@ use re_sdk_types::datatypes::{self, TimeInt, TimeRange, TimeRangeBoundary};
 
 use super::blueprint::{Blueprint, Container, Part, View};
 use super::columns::{SIM_TIME, narrow, single};
-use super::palette;
+use super::{palette, points};
 use super::statics::BodyEntities;
 use super::stream::{Store, Stream};
 use super::trail::Cut;
@@ -134,6 +134,9 @@ fn scene<W: Write>(
         let entities = BodyEntities::new(&body.name);
         blueprint.set(&view.overridden(&entities.trail), &range)?;
         blueprint.set(&view.overridden(&entities.path), &range)?;
+        for point in body.points.iter().filter(|point| points::leaves_path(point)) {
+            blueprint.set(&view.overridden(&points::path(point)), &range)?;
+        }
     }
     Ok(view)
 }
