@@ -8,10 +8,10 @@ use re_sdk_types::datatypes::{self, TimeInt, TimeRange, TimeRangeBoundary};
 
 use super::blueprint::{Blueprint, Container, Part, View};
 use super::columns::{SIM_TIME, narrow, single};
-use super::{palette, points};
 use super::statics::BodyEntities;
 use super::stream::{Store, Stream};
 use super::trail::Cut;
+use super::{palette, points};
 use crate::recording::picture::{Picture, scale};
 use crate::recording::subject::bodies;
 use crate::recording::{RecordingError, Sampling};
