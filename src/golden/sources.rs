@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use super::{GoldenError, Pose};
-use crate::recording::{Heading, Recording};
+use crate::recording::{Heading, RecordedBody, Recording};
 use crate::scenario::{BodySpec, Plan, PlannedBody, Scenario};
 use crate::telemetry::{BodySamples, Channel};
 
@@ -112,7 +112,7 @@ impl Golden {
         let number = number_of(recording.heading(), &name, body)?;
         let mut golden = Self { name, times_s: Vec::new(), poses: Vec::new() };
         let called = recording.heading().bodies[number].name.clone();
-        if recording.heading().bodies.len() > 1 {
+        if bodies(recording.heading()).count() > 1 {
             golden.name = format!("{} ({called})", golden.name);
         }
         while let Some(samples) = recording.next_batch()? {
@@ -165,13 +165,19 @@ impl Golden {
     }
 }
 
+/// A recording's bodies with their numbers: a point of one has no attitude.
+fn bodies(heading: &Heading) -> impl Iterator<Item = (usize, &RecordedBody)> {
+    heading.bodies.iter().enumerate().filter(|(_, body)| !body.is_point())
+}
+
 /// Which of a recording's bodies is meant.
 fn number_of(heading: &Heading, golden: &str, body: Option<&str>) -> Result<usize, GoldenError> {
-    let bodies = &heading.bodies;
+    let mut known = bodies(heading);
     let found = match body {
-        Some(name) => bodies.iter().position(|body| body.name == name),
-        None => (bodies.len() == 1).then_some(0),
+        Some(name) => known.find(|(_, body)| body.name == name),
+        None => known.next().filter(|_| bodies(heading).count() == 1),
     };
-    let names = || bodies.iter().map(|body| body.name.clone()).collect();
+    let found = found.map(|(number, _)| number);
+    let names = || bodies(heading).map(|(_, body)| body.name.clone()).collect();
     found.ok_or_else(|| GoldenError::WhichBody { golden: golden.to_owned(), names: names() })
 }

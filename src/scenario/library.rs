@@ -27,6 +27,7 @@ scenes![
     "gravity_gradient",
     "gravity_probe_b",
     "gyrostat_stability",
+    "imu_on_a_tumbling_box",
     "kovalevskaya_top",
     "lagrange_top",
     "libration",

@@ -7,7 +7,8 @@ use crate::cli::execute::{Outcome, scenario};
 use crate::cli::output::{print, print_json, remark};
 use crate::cli::report::sampling;
 use crate::cli::table::Table;
-use crate::scenario::{Path, Plan, PlannedBody};
+use crate::scenario::{Path, Plan};
+use crate::telemetry::{Channel, Point};
 
 /// Shows how scenes would be run.
 pub fn execute(arguments: &PlanArguments) -> io::Result<Outcome> {
@@ -42,7 +43,10 @@ fn as_text(plan: &Plan) -> String {
         if let Some(mass) = body.properties.mass {
             table.row(["  mass".to_owned(), format!("{mass} kg")]);
         }
-        table.row(["  records".to_owned(), channels(body).join(", ")]);
+        table.row(["  records".to_owned(), names(&body.channels).join(", ")]);
+        for point in &body.points {
+            table.row([format!("  {}", point.name), names(&point.channels).join(", ")]);
+        }
         for (index, skipped) in body.skipped.iter().enumerate() {
             table.row([if index == 0 { "  skips" } else { "" }.to_owned(), skipped.clone()]);
         }
@@ -65,8 +69,8 @@ fn setting(path: Path) -> String {
     }
 }
 
-fn channels(body: &PlannedBody) -> Vec<&'static str> {
-    body.channels.iter().map(|channel| channel.row().name).collect()
+fn names(channels: &[Channel]) -> Vec<&'static str> {
+    channels.iter().map(|channel| channel.row().name).collect()
 }
 
 fn as_json(plan: &Plan) -> Value {
@@ -78,6 +82,8 @@ fn as_json(plan: &Plan) -> Value {
                 Path::Taylor { tolerance } | Path::Dop853 { tolerance } => Some(tolerance),
                 _ => None,
             };
+            let point = |point: &Point| json!({ "name": point.name, "channels": names(&point.channels) });
+            let points: Vec<_> = body.points.iter().map(point).collect();
             json!({
                 "name": body.name,
                 "path": body.path.name(),
@@ -85,7 +91,8 @@ fn as_json(plan: &Plan) -> Value {
                 "step_tolerance_rad": step_tolerance,
                 "mass_kg": body.properties.mass,
                 "principal_moments_kg_m2": body.properties.moments.vector().as_slice(),
-                "channels": channels(body),
+                "channels": names(&body.channels),
+                "points": points,
                 "skipped": body.skipped,
             })
         })

@@ -3,7 +3,7 @@ use nalgebra::Vector3;
 use super::camera::{self, Room};
 use super::{Arrow, BodyPicture, Cord, Picture, Poinsot, Quantity, pace, powers, scale};
 use crate::propagation::PropagationError;
-use crate::scenario::{Plan, PlannedBody};
+use crate::scenario::{Following, Plan, PlannedBody};
 use crate::telemetry::{BodySamples, Channel};
 
 /// At how many times the run is looked over.
@@ -73,11 +73,23 @@ impl Picture {
         let playback_speed = pace::playback_speed(plan.grid.end() - plan.grid.time(0));
         let fastest = looks.iter().map(|look| look.largest[0]).fold(0.0, f64::max);
         let stride = pace::stride(plan.grid.mean_interval(), playback_speed, fastest);
-        let sizes: Vec<_> = looks.iter().flat_map(|look| look.sizes.iter().copied()).collect();
+        let of_bodies = looks.iter().flat_map(|look| look.sizes.iter().copied());
+        let sizes: Vec<_> = of_bodies.chain(sizes_of_points(plan, &times)?).collect();
         let powers = powers::choose(&sizes);
         let floor = floor(plan, &looks);
         Ok(Self { stride, playback_speed, last, eye, target, floor, size, bodies, powers })
     }
+}
+
+/// The largest number of each channel of each point.
+fn sizes_of_points(plan: &Plan, times: &[f64]) -> Result<Vec<(Channel, f64)>, PropagationError> {
+    let having = plan.bodies.iter().filter(|body| !body.points.is_empty());
+    let bodies: Vec<_> = having.map(|body| body.clone().watching(&[])).collect();
+    let mut samples = Following::samples(&bodies);
+    Following::new(&bodies)?.fill(times, &mut samples)?;
+    let size = |samples: &BodySamples, channel| (channel, powers::size(samples, channel));
+    let sizes = samples.iter().flat_map(|samples| samples.channels().map(move |channel| size(samples, channel)));
+    Ok(sizes.collect())
 }
 
 fn floor(plan: &Plan, looks: &[Look]) -> f64 {

@@ -8,10 +8,10 @@ use re_sdk_types::datatypes::{self, TimeInt, TimeRange, TimeRangeBoundary};
 
 use super::blueprint::{Blueprint, Container, Part, View};
 use super::columns::{SIM_TIME, narrow, single};
-use super::palette;
 use super::statics::BodyEntities;
 use super::stream::{Store, Stream};
 use super::trail::Cut;
+use super::{palette, points};
 use crate::recording::picture::{Picture, scale};
 use crate::recording::subject::bodies;
 use crate::recording::{RecordingError, Sampling};
@@ -137,6 +137,9 @@ fn scene<W: Write>(
         let entities = BodyEntities::new(&body.name);
         blueprint.set(&view.overridden(&entities.trail), &range)?;
         blueprint.set(&view.overridden(&entities.path), &range)?;
+        for point in body.points.iter().filter(|point| points::leaves_path(point)) {
+            blueprint.set(&view.overridden(&points::path(point)), &range)?;
+        }
     }
     Ok(view)
 }

@@ -32,6 +32,7 @@ mod plot_views;
 mod plots;
 mod poinsot;
 mod poinsot_views;
+mod points;
 mod read;
 mod rolling;
 mod scaled;

@@ -5,6 +5,7 @@ use re_sdk_types::archetypes::{Arrows3D, Points3D, Transform3D};
 
 use super::columns::{quaternion, single, timelines};
 use super::cords::Cords;
+use super::points::MovingPoint;
 use super::rolling::Rolling;
 use super::scaled::Scaled;
 use super::statics::{BodyEntities, LABEL, TIP};
@@ -19,6 +20,7 @@ use crate::telemetry::{BodySamples, Channel, Samples};
 pub(super) struct Moving {
     picture: Picture,
     bodies: Vec<MovingBody>,
+    points: Vec<MovingPoint>,
     drawn: Drawn,
 }
 
@@ -51,11 +53,12 @@ impl Moving {
     pub(super) fn new(plan: &Plan, picture: &Picture, scaled: Vec<Scaled>) -> Self {
         let cut = Cut::new(plan, picture);
         let bodies = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| MovingBody::new(body, drawing, cut));
-        let mut bodies: Vec<_> = bodies.collect();
-        for (body, scaled) in bodies.iter_mut().zip(scaled) {
+        let (mut bodies, mut scaled): (Vec<_>, _) = (bodies.collect(), scaled.into_iter());
+        for (body, scaled) in bodies.iter_mut().zip(&mut scaled) {
             body.scaled = Some(scaled);
         }
-        Self { picture: picture.clone(), bodies, drawn: Drawn::default() }
+        let points = MovingPoint::all(plan, cut, scaled);
+        Self { picture: picture.clone(), bodies, points, drawn: Drawn::default() }
     }
 
     /// Logs the pictures of one batch.
@@ -86,6 +89,9 @@ impl Moving {
             if let Some(rolling) = &mut body.rolling {
                 rolling.write(stream, store, rows, (&self.drawn.indices, samples), self.drawn.when())?;
             }
+        }
+        for (point, samples) in self.points.iter_mut().zip(samples.bodies.iter().skip(self.bodies.len())) {
+            point.write(stream, store, rows, (&self.drawn.indices, samples), self.drawn.when())?;
         }
         Ok(())
     }

@@ -18,6 +18,11 @@ pub(super) const TRAIL: [u8; 3] = [240, 228, 66];
 pub(super) const PATH: [u8; 3] = [150, 150, 150];
 /// Of the springs that hold a body.
 pub(super) const CORD: [u8; 3] = [222, 205, 170];
+/// Of a body's point number `number`: its place and its way.
+pub(super) fn of_point(number: usize) -> [u8; 3] {
+    const HUES: [[u8; 3]; 4] = [V, POLHODE, [120, 200, 190], [230, 190, 120]];
+    HUES[number % HUES.len()]
+}
 /// Of the world's axes.
 pub(super) const WORLD: [u8; 3] = [170, 170, 170];
 /// Of the bodies' names.

@@ -14,14 +14,14 @@ pub(super) fn entity(body: &str, channel: Channel) -> String {
     format!("/scaled/{body}/{}", channel.row().name)
 }
 
-/// One body's channels whose numbers no axis shows well, in powers of ten, at the picture's rate. The truth is beside
+/// One body's or point's channels whose numbers no axis shows well, in powers of ten, at the picture's rate. The truth is beside
 /// them, as for every channel.
 pub(super) struct Scaled {
     channels: Vec<(Channel, String, f64)>,
 }
 
 impl Scaled {
-    /// Logs the curves' names and colours.
+    /// Logs the curves' names and colours, of the bodies and then of their points.
     ///
     /// # Errors
     /// If they cannot be written.
@@ -32,8 +32,8 @@ impl Scaled {
         picture: &Picture,
     ) -> Result<Vec<Self>, RecordingError> {
         let recorded = bodies(plan, &[]);
-        let mut scaled = Vec::with_capacity(plan.bodies.len());
-        for (number, body) in plan.bodies.iter().enumerate() {
+        let mut scaled = Vec::with_capacity(recorded.len());
+        for (number, body) in recorded.iter().enumerate() {
             let mut channels = Vec::new();
             for channel in body.channels.iter().copied().filter(|channel| picture.power(*channel) != 0) {
                 let entity = entity(&body.name, channel);

@@ -92,7 +92,7 @@ pub(super) fn write<W: Write>(
         let entities = BodyEntities::new(&body.name);
         if body.channels.contains(&Channel::Attitude) {
             let distance = (picture.eye - picture.target).norm();
-            write_body(stream, store, (body, drawing), (&entities, distance))?;
+            write_body(stream, store, (body, drawing), (&entities, distance, picture.size))?;
             // Of several bodies, the colours say which axis is which.
             if plan.bodies.len() == 1 {
                 body_axes(drawing).write_names(stream, store, &entities.axes)?;
@@ -116,7 +116,7 @@ fn write_body<W: Write>(
     stream: &mut Stream<W>,
     store: Store,
     (body, drawing): (&PlannedBody, &BodyPicture),
-    (entities, distance): (&BodyEntities, f64),
+    (entities, distance, size): (&BodyEntities, f64, f64),
 ) -> Result<(), RecordingError> {
     for (number, surface) in body.surfaces.iter().enumerate() {
         let mesh = Mesh3D::new(surface.vertices.iter().copied())
@@ -130,10 +130,10 @@ fn write_body<W: Write>(
     let width = (drawing.extent * 0.006).max(distance * 0.0012);
     stream.once(store, &entities.trail, &[], &line_style(palette::TRAIL, width))?;
     stream.once(store, &entities.path, &[], &line_style(palette::PATH, width))?;
-    if drawing.cords.is_empty() {
-        return Ok(());
+    if !drawing.cords.is_empty() {
+        stream.once(store, &entities.cords, &[], &line_style(palette::CORD, 2.0 * width))?;
     }
-    stream.once(store, &entities.cords, &[], &line_style(palette::CORD, 2.0 * width))
+    super::points::write(stream, store, body, (size, width))
 }
 
 /// The names of the bodies that stay where they are, below them.
@@ -201,7 +201,7 @@ fn label_style<const N: usize>(labels: [&str; N], colours: [[u8; 3]; N]) -> Poin
         .with_show_labels(true)
 }
 
-fn line_style(colour: [u8; 3], radius: f64) -> LineStrips3D {
+pub(super) fn line_style(colour: [u8; 3], radius: f64) -> LineStrips3D {
     LineStrips3D::update_fields().with_colors([palette::opaque(colour)]).with_radii([scene(radius)])
 }
 
