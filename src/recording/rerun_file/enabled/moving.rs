@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use re_sdk_types::archetypes::{Arrows3D, Points3D, Transform3D};
 
 use super::columns::{quaternion, single, timelines};
+use super::particles::Particles;
 use super::rolling::Rolling;
 use super::scaled::Scaled;
 use super::statics::{BodyEntities, LABEL, TIP};
@@ -18,6 +19,7 @@ use crate::telemetry::{BodySamples, Channel, Samples};
 pub(super) struct Moving {
     picture: Picture,
     bodies: Vec<MovingBody>,
+    particles: Particles,
     drawn: Drawn,
 }
 
@@ -46,14 +48,14 @@ struct MovingBody {
 }
 
 impl Moving {
-    pub(super) fn new(plan: &Plan, picture: &Picture, scaled: Vec<Scaled>) -> Self {
+    pub(super) fn new(plan: &Plan, picture: &Picture, scaled: Vec<Scaled>, particles: Particles) -> Self {
         let cut = Cut::new(plan, picture);
         let bodies = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| MovingBody::new(body, drawing, cut));
         let mut bodies: Vec<_> = bodies.collect();
         for (body, scaled) in bodies.iter_mut().zip(scaled) {
             body.scaled = Some(scaled);
         }
-        Self { picture: picture.clone(), bodies, drawn: Drawn::default() }
+        Self { picture: picture.clone(), bodies, particles, drawn: Drawn::default() }
     }
 
     /// Logs the pictures of one batch.
@@ -84,7 +86,7 @@ impl Moving {
                 rolling.write(stream, store, rows, (&self.drawn.indices, samples), self.drawn.when())?;
             }
         }
-        Ok(())
+        self.particles.write(stream, store, rows, (&self.drawn.indices, samples))
     }
 }
 
