@@ -2,6 +2,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::fit::fit;
 use super::stepper::{Exactness, Stepper};
 use crate::body::{AngularVelocity, Attitude, Particle, ParticleCloud, State};
 use crate::dynamics::{General, GeneralLoad, Load, Problem, SpringCloud, Springs, Torque, Window};
@@ -58,4 +59,16 @@ fn forces_of_the_stiffest_springs_have_all_their_digits() {
         assert!((found - exact).abs() <= 1e-13 * size, "{:e} of {size} N", found - exact);
     }
     assert!((held / wanted - 1.0).abs() <= 1e-12, "{held:e} J is not {wanted:e} J");
+}
+
+#[test]
+fn particles_in_one_place_have_no_attitude() {
+    let exactness = Exactness { order: 20, tolerance: 1e-16, enough: 1e-9 };
+    let stepper = Stepper::<f64>::new(&stiff(), exactness).expect("covered");
+    let (mut motion, attitude) = stepper.at(DoubleDouble::ZERO).expect("in shape");
+    assert!(fit(&stepper.springs, &motion, attitude, 1e-9).is_some());
+    for position in &mut motion.positions {
+        *position = [DoubleDouble::ZERO; 3];
+    }
+    assert_eq!(fit(&stepper.springs, &motion, attitude, 1e-9), None);
 }

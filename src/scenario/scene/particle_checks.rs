@@ -8,7 +8,7 @@ use serde::Deserialize;
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct InternalForcesSpec {
-    /// Which body, of particles on springs; left out: the first.
+    /// Which body; left out: the first.
     #[cfg_attr(feature = "serde", serde(default))]
     pub body: Option<String>,
     /// How long they are looked at, s; left out: the duration.
@@ -25,7 +25,7 @@ pub struct InternalForcesSpec {
 #[cfg_attr(feature = "serde", derive(Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct DepartureFromRigidSpec {
-    /// Which body, of particles on springs; left out: the first.
+    /// Which body; left out: the first.
     #[cfg_attr(feature = "serde", serde(default))]
     pub body: Option<String>,
     /// When, s.

@@ -7,6 +7,7 @@ use re_sdk_types::components::TextLogLevel;
 use super::columns::{sim_time, timelines};
 use super::gathered::Gathered;
 use super::moving::Moving;
+use super::particles::Particles;
 use super::plots::Plots;
 use super::scaled::Scaled;
 use super::stream::{Rows, Store, Stream};
@@ -73,7 +74,8 @@ impl<W: Write> RerunStream<W> {
         let moving = match subject.drawing {
             Some((plan, picture)) => {
                 let scaled = Scaled::begin(&mut stream, store, plan, picture)?;
-                Some(Moving::new(plan, picture, scaled))
+                let particles = Particles::begin(&mut stream, store, plan, picture)?;
+                Some(Moving::new(plan, picture, scaled, particles))
             }
             None => None,
         };

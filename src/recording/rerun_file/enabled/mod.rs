@@ -4,7 +4,7 @@
 //! * `/time/interval_s` (static) or `/time/time_s`: the exact times; stamps are rounded to ns. With an interval, the
 //!   time of a sample is `step · interval_s`, rounded once, as [`crate::scenario::Grid::time`] says.
 //! * `/world/…`: the picture, f32, at the picture's rate: `body/<name>` with its shape and axes, `vectors/<name>/…`,
-//!   `trail/<name>`, `path/<name>`, `cords/<name>`, `axes`.
+//!   `trail/<name>`, `path/<name>`, `cords/<name>`, `particles/<name>`, `springs/<name>`, `axes`.
 //! * `/poinsot/<name>/…`, `/body_frame/<name>/…`: Poinsot's construction of a body that turns freely, f32, at the same rate.
 //! * `/scaled/…`, `/markers/…`: plots in powers of ten, and events in plots.
 //! * `/about`, `/log`: words. `/scene`, `/provenance`, `/body/<name>`: where it comes from and of what, for programs, too.
@@ -27,6 +27,7 @@ mod near_views;
 mod overlay;
 mod overlay_layout;
 mod palette;
+mod particles;
 mod plain;
 mod plot_views;
 mod plots;

@@ -5,6 +5,7 @@ use re_sdk_types::archetypes::{Arrows3D, Points3D, Transform3D};
 
 use super::columns::{quaternion, single, timelines};
 use super::cords::Cords;
+use super::particles::Particles;
 use super::points::MovingPoint;
 use super::rolling::Rolling;
 use super::scaled::Scaled;
@@ -21,6 +22,7 @@ pub(super) struct Moving {
     picture: Picture,
     bodies: Vec<MovingBody>,
     points: Vec<MovingPoint>,
+    particles: Particles,
     drawn: Drawn,
 }
 
@@ -50,7 +52,7 @@ struct MovingBody {
 }
 
 impl Moving {
-    pub(super) fn new(plan: &Plan, picture: &Picture, scaled: Vec<Scaled>) -> Self {
+    pub(super) fn new(plan: &Plan, picture: &Picture, scaled: Vec<Scaled>, particles: Particles) -> Self {
         let cut = Cut::new(plan, picture);
         let bodies = plan.bodies.iter().zip(&picture.bodies).map(|(body, drawing)| MovingBody::new(body, drawing, cut));
         let (mut bodies, mut scaled): (Vec<_>, _) = (bodies.collect(), scaled.into_iter());
@@ -58,7 +60,7 @@ impl Moving {
             body.scaled = Some(scaled);
         }
         let points = MovingPoint::all(plan, cut, scaled);
-        Self { picture: picture.clone(), bodies, points, drawn: Drawn::default() }
+        Self { picture: picture.clone(), bodies, points, particles, drawn: Drawn::default() }
     }
 
     /// Logs the pictures of one batch.
@@ -93,7 +95,7 @@ impl Moving {
         for (point, samples) in self.points.iter_mut().zip(samples.bodies.iter().skip(self.bodies.len())) {
             point.write(stream, store, rows, (&self.drawn.indices, samples), self.drawn.when())?;
         }
-        Ok(())
+        self.particles.write(stream, store, rows, (&self.drawn.indices, samples))
     }
 }
 

@@ -23,9 +23,9 @@ pub(super) fn path(point: &Point) -> String {
     format!("/world/path/{}", point.name)
 }
 
-/// Whether its position is recorded, along world axes.
+/// Whether its position is recorded, along world axes. Particles are drawn where they are, without their ways.
 pub(super) fn leaves_path(point: &Point) -> bool {
-    point.channels.contains(&Channel::Position)
+    matches!(point.kind, PointKind::Mounted(_)) && point.channels.contains(&Channel::Position)
 }
 
 /// Logs where the points of `body` sit in it, with their names, and how their ways look: `size` is the largest body's
@@ -42,7 +42,7 @@ pub(super) fn write<W: Write>(
     let turn = body.properties.body_from_principal;
     for (number, point) in body.points.iter().enumerate() {
         let colour = palette::of_point(number);
-        let PointKind::Mounted(mounting) = &point.kind;
+        let PointKind::Mounted(mounting) = &point.kind else { continue };
         let place = Points3D::new([single(&(turn * mounting.arm))])
             .with_radii([narrow(RADIUS * size)])
             .with_colors([palette::opaque(colour)])
