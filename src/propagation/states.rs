@@ -20,6 +20,8 @@ pub struct States {
 pub struct CloudStates {
     /// In the order of the cloud.
     pub particles: Vec<ParticleColumns>,
+    /// L of all particles about their centre of mass, world axes, N m s.
+    pub momentum: [Vec<f64>; 3],
     /// Of all particles relative to their centre of mass, J.
     pub kinetic_energy: Vec<f64>,
     /// Of all springs, J.
@@ -45,6 +47,9 @@ impl CloudStates {
             for column in arm.iter_mut().chain(velocity).chain(force) {
                 column.resize(count, 0.0);
             }
+        }
+        for column in &mut self.momentum {
+            column.resize(count, 0.0);
         }
         self.kinetic_energy.resize(count, 0.0);
         self.elastic_energy.resize(count, 0.0);

@@ -30,6 +30,12 @@ impl Batch<'_> {
         Vector3::from_fn(|row, _| self.states.inner[row].get(index).copied().unwrap_or_default())
     }
 
+    /// L of particles on springs, world axes, N m s; none of a rigid body.
+    pub fn momentum_of_particles(&self, index: usize) -> Option<Vector3<f64>> {
+        let [x, y, z] = &self.states.cloud.momentum;
+        Some(Vector3::new(*x.get(index)?, *y.get(index)?, *z.get(index)?))
+    }
+
     /// World from principal; the identity where no attitude was propagated, as then no channel looks at it.
     #[inline(always)]
     pub fn attitude(&self, index: usize) -> UnitQuaternion<f64> {

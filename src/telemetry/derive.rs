@@ -200,6 +200,15 @@ impl Derivation {
 
     /// Puts the motion of particles on springs in the place of the rigid body's, and adds what the springs hold.
     fn add_particles(&self, channel: Channel, batch: &Batch<'_>, columns: &mut [Vec<f64>]) {
+        let momentum = |index| batch.momentum_of_particles(index).unwrap_or_default();
+        match channel {
+            Channel::AngularMomentumWorld => return batch.vectors_at(columns, |index, _, _| momentum(index)),
+            Channel::AngularMomentumBody => {
+                let turn = self.body_from_principal.unwrap_or_default();
+                return batch.vectors_at(columns, |index, _, state| turn * state.attitude.to_body(&momentum(index)));
+            }
+            _ => {}
+        }
         let (Some(column), cloud) = (columns.first_mut(), &batch.states.cloud) else { return };
         for (index, (kinetic, elastic)) in cloud.kinetic_energy.iter().zip(&cloud.elastic_energy).enumerate() {
             let state = batch.state(index);
@@ -270,6 +279,9 @@ impl Derivation {
                 batch.scalars(columns, |index, time, _| drift(time, &momentum(index)));
             }
             _ => batch.scalars(columns, |index, time, state| {
+                if let Some(momentum) = batch.momentum_of_particles(index) {
+                    return drift(time, &momentum);
+                }
                 let momentum = self.problem.momentum_in_world(time, state);
                 let whole =
                     self.sphere.map(|sphere| momentum + state.attitude.to_world(&sphere.momentum(&batch.inner(index))));

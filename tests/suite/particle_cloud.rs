@@ -97,15 +97,13 @@ fn forces_of_springs_leave_neither_force_nor_moment() {
         assert!(turning.norm() <= ROUNDING * gross_turning, "{:e} N m of {gross_turning}", turning.norm());
         largest = gross.max(largest);
     }
-    assert!(largest > 1.0, "{largest} N");
+    assert!(largest > 0.5, "{largest} N");
 }
 
-/// So the momenta of all together stay, and without dampers the energy too; and the channels' L = R I₀ ω is that of the
-/// particles.
+/// So the momenta of all together stay, and without dampers the energy too; and the L that is told is that of the particles.
 #[test]
 fn momenta_and_energy_of_all_particles_stay() {
     let states = by_taylor(springs(400.0), &grid(5.0, 300));
-    let moments = problem(None).moments.vector();
     let (first, size) = (momentum(&states, 0), momentum(&states, 0).norm());
     for index in 0..states.len() {
         assert!((momentum(&states, index) - first).norm() <= 4.0 * ROUNDING * size);
@@ -114,14 +112,34 @@ fn momenta_and_energy_of_all_particles_stay() {
         let whole: Vector3<f64> = each.iter().map(|(mass, [_, velocity, _])| velocity * *mass).sum();
         let gross: f64 = each.iter().map(|(mass, [_, velocity, _])| velocity.norm() * mass).sum();
         assert!(whole.norm() <= ROUNDING * gross, "{:e} N s of {gross}", whole.norm());
-        let [w, x, y, z] = row(&states.attitude, index);
-        let attitude = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
-        let told = attitude * moments.component_mul(&Vector3::from(row(&states.angular_velocity, index)));
-        assert!((told - first).norm() <= 8.0 * ROUNDING * size);
+        let told = Vector3::from(row(&states.cloud.momentum, index));
+        assert!((told - first).norm() <= 4.0 * ROUNDING * size);
     }
     // The centre of mass falls as a stone does.
     let end = states.len() - 1;
     assert_eq!(states.position.each_ref().map(|column| column[end]), [3.5, -2.0, 3.0 + 5.0 * (2.0 - 0.5 * 9.81 * 5.0)]);
+}
+
+/// The rates are those of the attitude: by central differences of fourth order, which the fastest vibration, at 148 rad/s,
+/// leaves off by a thirtieth of its size times (0.015)⁴.
+#[test]
+fn the_rates_are_those_of_the_attitude_that_fits_best() {
+    let step = 1e-4;
+    let times: Vec<f64> = (0..=400).map(|i| step * f64::from(i)).collect();
+    for is_relaxed in [false, true] {
+        let states = by_taylor(Springs { is_relaxed, ..springs(400.0) }, &times);
+        let attitude = |index| {
+            let [w, x, y, z] = row(&states.attitude, index);
+            UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))
+        };
+        for index in (10..times.len() - 10).step_by(7) {
+            let turn = |other| (attitude(index).inverse() * attitude(other)).scaled_axis();
+            let [before, left, right, after] = [index - 2, index - 1, index + 1, index + 2].map(turn);
+            let rate = ((right - left) * 8.0 - (after - before)) / (12.0 * step);
+            let told = Vector3::from(row(&states.angular_velocity, index));
+            assert!((rate - told).norm() <= 1e-9, "{:e} rad/s of {told}", (rate - told).norm());
+        }
+    }
 }
 
 /// m dv/dt is the force recorded: by central differences of fourth order, off by the fourth power of 2 ms times the

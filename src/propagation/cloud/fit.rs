@@ -1,6 +1,6 @@
 use super::motion::{Motion, Springs};
 use super::vector::{Vector, cross, dot, matrix, scaled, solved, sum, tensor, turned_back, unit};
-use crate::numerics::Scalar;
+use crate::numerics::{DoubleDouble, Scalar};
 
 /// Corrections at most: each squares the error of the one before.
 const MOST_CORRECTIONS: usize = 40;
@@ -54,8 +54,21 @@ pub(super) fn momentum<F: Scalar>(springs: &Springs, motion: &Motion) -> Vector<
     })
 }
 
-/// I₀⁻¹ Rᵀ L: the rates, principal axes, rad/s, of the rigid body of the same angular momentum.
-pub(super) fn rates<F: Scalar>(attitude: [F; 4], momentum: Vector<F>, moments: [f64; 3]) -> Vector<F> {
-    let in_body = turned_back(matrix(attitude), momentum);
-    [0, 1, 2].map(|axis| in_body[axis] / F::from(moments[axis]))
+/// How fast that attitude turns, principal axes, rad/s.
+///
+/// Σ mᵢ pᵢ × yᵢ stays zero, and ẏᵢ is Rᵀ vᵢ − ω × yᵢ: the matrix of [`fit`], which has no antisymmetric part there, times ω is
+/// Σ mᵢ pᵢ × Rᵀ vᵢ.
+pub(super) fn rates<F: Scalar>(springs: &Springs, motion: &Motion, attitude: [F; 4]) -> Vector<F> {
+    let rows = matrix(attitude);
+    let each = || {
+        let particles = springs.cloud.masses().iter().zip(springs.cloud.places());
+        particles.zip(motion.positions.iter().zip(&motion.velocities)).map(|((mass, place), (position, velocity))| {
+            let place = <[f64; 3]>::from(*place).map(F::from);
+            let seen = |vector: &Vector<DoubleDouble>| turned_back(rows, Motion::rounded::<F>(*vector));
+            (F::from(*mass), place, seen(position), seen(velocity))
+        })
+    };
+    let zero = [F::from(0.0); 3];
+    let turning = each().fold(zero, |whole, (mass, place, _, moves)| sum(whole, scaled(mass, cross(place, moves))));
+    solved(tensor(each().map(|(mass, place, seen, _)| (mass, place, seen))), turning)
 }

@@ -1,4 +1,4 @@
-use super::fit::{momentum, rates};
+use super::fit::rates;
 use super::stepper::{Exactness, Stepper};
 use crate::dynamics::{DynamicsError, Problem};
 use crate::numerics::DoubleDouble;
@@ -33,7 +33,6 @@ impl PreciseCloud {
     /// The state at a time within the last step, s: that of the cloud as a whole.
     pub fn within(&self, time: DoubleDouble) -> Result<PreciseState, PropagationError> {
         let (motion, attitude) = self.stepper.at(time)?;
-        let momentum = momentum(&self.stepper.springs, &motion);
         let fall = |axis: usize| {
             let initial = &self.problem.initial;
             let pull = time * self.problem.gravity[axis];
@@ -43,7 +42,7 @@ impl PreciseCloud {
         };
         Ok(PreciseState {
             attitude,
-            angular_velocity: rates(attitude, momentum, self.problem.moments.vector().into()),
+            angular_velocity: rates(&self.stepper.springs, &motion, attitude),
             position: [0, 1, 2].map(|axis| fall(axis).0),
             velocity: [0, 1, 2].map(|axis| fall(axis).1),
         })

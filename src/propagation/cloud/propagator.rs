@@ -12,7 +12,6 @@ use crate::propagation::{Ballistic, CloudStates, Effort, PropagationError, Propa
 pub(in crate::propagation) struct CloudTaylor {
     stepper: Stepper<f64>,
     fall: Ballistic,
-    moments: [f64; 3],
     wants_attitude: bool,
     wants_translation: bool,
     latest: f64,
@@ -24,7 +23,6 @@ impl CloudTaylor {
         Ok(Self {
             stepper: Stepper::new(problem, Exactness { order, tolerance, enough: 1e-9 })?,
             fall: Ballistic::new(problem),
-            moments: problem.moments.vector().into(),
             wants_attitude: problem.wants_attitude,
             wants_translation: problem.wants_translation,
             latest: 0.0,
@@ -74,8 +72,8 @@ impl Propagator for CloudTaylor {
                 self.stepper.advance()?;
             }
             let (motion, attitude) = self.stepper.at(wanted)?;
-            let momentum = momentum(&self.stepper.springs, &motion);
-            put(&mut states.angular_velocity, row, rates(attitude, momentum, self.moments));
+            put(&mut states.angular_velocity, row, rates(&self.stepper.springs, &motion, attitude));
+            put(&mut states.cloud.momentum, row, momentum(&self.stepper.springs, &motion));
             if self.wants_attitude {
                 put(&mut states.attitude, row, attitude);
             }
