@@ -122,6 +122,9 @@ fn legend(plan: &Plan, picture: &Picture) -> String {
         };
         let _ = writeln!(text, "- **Yellow trail**: the tip of the body's spin axis, {reach}");
     }
+    if plan.bodies.iter().any(|body| !body.points.is_empty()) {
+        text += "- **Points** with names: probes and IMUs where they sit, and in their colours the ways of probes\n";
+    }
     if picture.bodies.iter().any(|drawing| drawing.poinsot.is_some()) {
         text += "- **Poinsot**: the ellipsoid of all ω that have the body's energy rolls, without slipping, on a plane \
                  that stands still across L, here below it. They touch at ω (orange), which draws the polhode (pink) on \
