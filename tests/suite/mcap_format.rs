@@ -82,6 +82,18 @@ struct BodyState {
     jacobi_integral: Option<f64>,
     #[prost(double, optional, tag = "33")]
     kovalevskaya_integral: Option<f64>,
+    #[prost(message, optional, tag = "34")]
+    acceleration: Option<Numbers>,
+    #[prost(message, optional, tag = "35")]
+    position_body: Option<Numbers>,
+    #[prost(message, optional, tag = "36")]
+    velocity_body: Option<Numbers>,
+    #[prost(message, optional, tag = "37")]
+    acceleration_body: Option<Numbers>,
+    #[prost(message, optional, tag = "38")]
+    gyroscope: Option<Numbers>,
+    #[prost(message, optional, tag = "39")]
+    accelerometer: Option<Numbers>,
 }
 
 #[derive(Clone, Copy, PartialEq, Message)]
@@ -148,6 +160,12 @@ impl BodyState {
             kinetic_energy: scalar(Channel::KineticEnergy),
             jacobi_integral: scalar(Channel::JacobiIntegral),
             kovalevskaya_integral: scalar(Channel::KovalevskayaIntegral),
+            acceleration: numbers(Channel::Acceleration),
+            position_body: numbers(Channel::PositionBody),
+            velocity_body: numbers(Channel::VelocityBody),
+            acceleration_body: numbers(Channel::AccelerationBody),
+            gyroscope: numbers(Channel::Gyroscope),
+            accelerometer: numbers(Channel::Accelerometer),
         }
     }
 
@@ -192,11 +210,20 @@ impl BodyState {
             self.jacobi_integral,
             self.kovalevskaya_integral,
         ];
+        let of_points = [
+            &self.acceleration,
+            &self.position_body,
+            &self.velocity_body,
+            &self.acceleration_body,
+            &self.gyroscope,
+            &self.accelerometer,
+        ];
         let numbers =
             |tuple: &Option<Numbers>| tuple.iter().flat_map(|n| [n.first, n.second, n.third, n.fourth]).collect();
         let numbers =
             |tuples: &[&Option<Numbers>]| -> Vec<_> { tuples.iter().flat_map(|n| -> Vec<_> { numbers(n) }).collect() };
-        let all = [numbers(&tuples), scalars.to_vec(), numbers(&derived_tuples), derived_scalars.to_vec()].concat();
+        let derived = [numbers(&derived_tuples), derived_scalars.to_vec(), numbers(&of_points)].concat();
+        let all = [numbers(&tuples), scalars.to_vec(), derived].concat();
         all.into_iter().flatten().map(f64::to_bits).collect()
     }
 }

@@ -6,7 +6,7 @@ use re_sdk_types::components::TextLogLevel;
 use super::trail::Cut;
 use crate::recording::picture::{Picture, Quantity, scale};
 use crate::scenario::{Certificate, CheckOutcome, Event, EventKind, Plan, PlannedBody};
-use crate::telemetry::Channel;
+use crate::telemetry::{Channel, PointKind};
 
 /// The scene in words: what it is, what to see, what was done, where it comes from.
 pub(super) fn document(plan: &Plan, picture: &Picture) -> TextDocument {
@@ -124,6 +124,9 @@ fn legend(plan: &Plan, picture: &Picture) -> String {
     }
     if picture.bodies.iter().any(|drawing| !drawing.cords.is_empty()) {
         text += "- **Straw-coloured lines**: springs and cords, also while they are slack\n";
+    }
+    if plan.bodies.iter().flat_map(|body| &body.points).any(|point| matches!(point.kind, PointKind::Mounted(_))) {
+        text += "- **Points** with names: probes and IMUs where they sit, and in their colours the ways of probes\n";
     }
     if picture.bodies.iter().any(|drawing| drawing.poinsot.is_some()) {
         text += "- **Poinsot**: the ellipsoid of all ω that have the body's energy rolls, without slipping, on a plane \

@@ -110,7 +110,9 @@ fn scene<W: Write>(
         if drawing.travels {
             // From so far only the body and its way are seen; the view that goes along has the rest.
             let entities = BodyEntities::new(&body.name);
+            let points = (!body.points.is_empty()).then(|| format!("- {}/points/**", entities.body));
             contents.extend([entities.axes, entities.vectors].map(|hidden| format!("- {hidden}/**")));
+            contents.extend(points);
         }
     }
     let view = blueprint.view(&View { class: "3D", name: &plan.title, origin: "/world", contents: &contents })?;

@@ -15,6 +15,8 @@ use crate::telemetry::Channel;
 /// Channels that share a plot, and its title: what people look at first comes first. Never a drift beside its quantity.
 const PLOTS: [(&str, &[Channel]); 29] = [
     ("ω in body axes (rad/s)", &[Channel::AngularVelocity]),
+    ("accelerometer (m/s²)", &[Channel::Accelerometer]),
+    ("gyroscope (rad/s)", &[Channel::Gyroscope]),
     ("tilt (rad)", &[Channel::Tilt]),
     ("precession rate (rad/s)", &[Channel::PrecessionRate]),
     ("L in world axes (N m s)", &[Channel::AngularMomentumWorld]),
@@ -37,8 +39,6 @@ const PLOTS: [(&str, &[Channel]); 29] = [
     ("position in body axes (m)", &[Channel::PositionBody]),
     ("velocity in body axes (m/s)", &[Channel::VelocityBody]),
     ("acceleration in body axes (m/s²)", &[Channel::AccelerationBody]),
-    ("gyroscope (rad/s)", &[Channel::Gyroscope]),
-    ("accelerometer (m/s²)", &[Channel::Accelerometer]),
     ("force in world axes (N)", &[Channel::ForceWorld]),
     ("ω in world axes (rad/s)", &[Channel::AngularVelocityWorld]),
     ("L in body axes (N m s)", &[Channel::AngularMomentumBody]),
@@ -69,8 +69,8 @@ const SEPARATE: usize = 4;
 
 /// The plots of what is recorded, or `None` if nothing is.
 ///
-/// One body has its plots below each other. Several have a tab for each quantity, and in it a plot for each body: nine
-/// curves in one plot are no longer told apart.
+/// One body has its plots below each other, the first of them above those of its points. Several have a tab for each
+/// quantity, and in it a plot for each body: nine curves in one plot are no longer told apart. Points are told after them.
 ///
 /// # Errors
 /// If they cannot be written.
@@ -81,6 +81,8 @@ pub(super) fn write<W: Write>(
     picture: Option<&Picture>,
 ) -> Result<Option<Part>, RecordingError> {
     let mut plots = PlotViews { blueprint, picture, times: whole_run(sampling) };
+    let first_point = bodies.iter().position(RecordedBody::is_point).unwrap_or(bodies.len());
+    let (bodies, points) = bodies.split_at(first_point);
     let mut parts = Vec::new();
     let leaning = if bodies.len() > 1 { plots.leaning(bodies)? } else { None };
     for (title, channels) in PLOTS {
@@ -92,6 +94,9 @@ pub(super) fn write<W: Write>(
     if let Some(leaning) = leaning {
         parts.insert(0, leaning);
     }
+    let of_points = plots.of_points(points)?;
+    let place = if bodies.len() > 1 { parts.len() } else { parts.len().min(1) };
+    parts.splice(place..place, of_points);
     if parts.len() <= 1 {
         return Ok(parts.pop());
     }
@@ -160,6 +165,24 @@ impl<W: Write> PlotViews<'_, '_, W> {
             views.push(self.view(&format!("{}: {title}", body.name), channels, &[body])?);
         }
         self.container(ContainerKind::Vertical, title, &views).map(Some)
+    }
+
+    /// Every quantity of points of bodies: each point has a plot, but for very many.
+    fn of_points(&mut self, points: &[RecordedBody]) -> Result<Vec<Part>, RecordingError> {
+        let mut parts = Vec::new();
+        for (title, channels) in PLOTS {
+            let is_recorded = |point: &&RecordedBody| channels.iter().any(|channel| point.channels.contains(channel));
+            let having: Vec<_> = points.iter().filter(is_recorded).collect();
+            let title = &self.counted(title, channels, &having);
+            if !having.is_empty() && shares_plot(channels, points.len()) {
+                parts.push(self.view(&format!("points: {title}"), channels, &having)?);
+                continue;
+            }
+            for point in having {
+                parts.push(self.view(&format!("{}: {title}", point.name), channels, &[point])?);
+            }
+        }
+        Ok(parts)
     }
 
     /// How several bodies lean and go round, or `None` if none does.

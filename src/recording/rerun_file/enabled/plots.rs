@@ -110,7 +110,8 @@ fn write_zero<W: Write>(stream: &mut Stream<W>, store: Store, sampling: Sampling
 /// The curves of a channel: their names (the view's title says the unit) and colours.
 pub(super) fn curves(channel: Channel, number: usize, bodies: &[RecordedBody]) -> SeriesLines {
     let row = channel.row();
-    let is_shared = shares_plot(&[channel], bodies.len());
+    let is_alike = |other: &&RecordedBody| other.is_point() == bodies[number].is_point();
+    let is_shared = shares_plot(&[channel], bodies.iter().filter(is_alike).count());
     let owner = if is_shared { bodies[number].name.as_str() } else { "" };
     let names = row.components.iter().map(|component| {
         // Of several bodies, how they lean is in one plot and nothing else: the names tell them apart.
@@ -143,11 +144,11 @@ fn companion(channel: Channel) -> usize {
 fn symbol(channel: Channel) -> &'static str {
     match channel {
         Channel::Attitude => "q",
-        Channel::AngularVelocity | Channel::AngularVelocityWorld => "ω",
+        Channel::AngularVelocity | Channel::AngularVelocityWorld | Channel::Gyroscope => "ω",
         Channel::AngularMomentumWorld | Channel::AngularMomentumBody => "L",
         Channel::MomentBody | Channel::MomentWorld => "τ",
-        Channel::Position => "r",
-        Channel::Velocity => "v",
+        Channel::Position | Channel::PositionBody => "r",
+        Channel::Velocity | Channel::VelocityBody => "v",
         Channel::ForceWorld => "F",
         Channel::RotationalEnergy => "rotational",
         Channel::TranslationalEnergy => "translational",
@@ -168,9 +169,6 @@ fn symbol(channel: Channel) -> &'static str {
         Channel::JacobiIntegral => "Jacobi",
         Channel::KovalevskayaIntegral => "Kovalevskaya",
         Channel::Acceleration | Channel::AccelerationBody => "a",
-        Channel::PositionBody => "r",
-        Channel::VelocityBody => "v",
-        Channel::Gyroscope => "ω",
         Channel::Accelerometer => "f",
     }
 }
