@@ -1,6 +1,6 @@
 //! Particles with a spring between every pair: what a rigid body is made of, before it is rigid.
 
-mod cloud;
+mod spring_cloud;
 mod stiffness;
 
-pub use cloud::{SpringCloud, Springs};
+pub use spring_cloud::{SpringCloud, Springs};

@@ -16,7 +16,7 @@ impl Places {
     }
 
     /// Of particle i, the first of three.
-    pub fn position(self, particle: usize) -> usize {
+    pub fn position(particle: usize) -> usize {
         3 * particle
     }
 
@@ -51,11 +51,12 @@ pub(super) fn equations(cloud: &SpringCloud, squares: &[f64]) -> Tape {
     let mut forces = vec![[zero; 3]; places.particles];
     let mut rates = Vec::with_capacity(places.springs);
     for (spring, ([first, second], square)) in cloud.pairs().zip(squares).enumerate() {
-        let apart = |tape: &mut Tape, of: fn(Places, usize) -> usize| {
-            let (from, to) = (three(tape, of(places, first)), three(tape, of(places, second)));
+        let apart = |tape: &mut Tape, of: &dyn Fn(usize) -> usize| {
+            let (from, to) = (three(tape, of(first)), three(tape, of(second)));
             tape.differences(to, from)
         };
-        let (between, parting) = (apart(&mut tape, Places::position), apart(&mut tape, Places::velocity));
+        let between = apart(&mut tape, &Places::position);
+        let parting = apart(&mut tape, &|particle| places.velocity(particle));
         let (stretch, lack) = (tape.input(places.stretch(spring)), tape.input(places.lack(spring)));
         let rounded = tape.dot(between, parting);
         let half_rate = tape.sum(rounded, lack);

@@ -29,7 +29,7 @@ impl<F: Scalar> Series<F> {
         let expansion = &mut self.expansion;
         for particle in 0..places.particles {
             for axis in 0..3 {
-                expansion.set(places.position(particle) + axis, 0, F::from_double(start.positions[particle][axis]));
+                expansion.set(Places::position(particle) + axis, 0, F::from_double(start.positions[particle][axis]));
                 expansion.set(places.velocity(particle) + axis, 0, F::from_double(start.velocities[particle][axis]));
             }
         }
@@ -75,7 +75,7 @@ impl<F: Scalar> Series<F> {
         let mut motion = self.start.clone();
         for particle in 0..self.places.particles {
             for axis in 0..3 {
-                let (at, speed) = (self.places.position(particle) + axis, self.places.velocity(particle) + axis);
+                let (at, speed) = (Places::position(particle) + axis, self.places.velocity(particle) + axis);
                 let way = motion.velocities[particle][axis] * passed;
                 // σ² (x₂ + x₃ σ + …): one factor of σ is left to be put in.
                 motion.positions[particle][axis] += way + rest(at, 2) * sigma_exact;

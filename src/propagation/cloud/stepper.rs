@@ -103,7 +103,7 @@ impl<F: Scalar> Stepper<F> {
         }
         let attitude = fit(&self.springs, &motion, self.attitudes[1], self.enough);
         self.start = self.end;
-        self.end = self.end + DoubleDouble::from(step);
+        self.end += DoubleDouble::from(step);
         self.attitudes = [self.attitudes[1], attitude.ok_or(PropagationError::NoShape { time })?];
         self.motion = motion;
         self.unit = power_of_two(step);

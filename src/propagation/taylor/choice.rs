@@ -11,7 +11,7 @@ use crate::propagation::{Effort, PropagationError, Propagator, States};
 /// of time has a knot, and no step is ever thrown away: its length follows from the series. Where the steps lie does not
 /// depend on the sample times. Loads of a [`General`](crate::dynamics::General) kind go by a tape of operations, all others
 /// by recurrences laid out by hand. Of a body that is a [`SpringCloud`](crate::dynamics::SpringCloud) every particle is
-/// followed: the attitude is that of the best fit, and ω is that of the rigid body of the same angular momentum.
+/// followed: the attitude is that of the best fit, and ω is its rate.
 #[derive(Debug, Clone)]
 pub struct Taylor(Way);
 

@@ -1,6 +1,6 @@
 use super::promise::{Kept, Stepper, keep};
 use super::rules::{positive, unused};
-use crate::dynamics::Problem;
+use crate::dynamics::{Problem, SpringCloud};
 use crate::propagation::{AxialTorque, BrakedRotation, Coverage, FixedStepMethod, Information, LagrangeTop};
 use crate::scenario::{Grid, Key, Method, Path, PlannedBody, Refusal, Scenario, ScenarioError, Setting};
 
@@ -105,13 +105,7 @@ fn by_steps(stepper: Stepper, problem: &Problem, accuracy: &Accuracy, asked: &st
 fn automatic(problem: &Problem, accuracy: &Accuracy) -> Result<(Path, String), Refusal> {
     let Accuracy::Promise(promise, grid) = accuracy else {
         if let Some(cloud) = problem.cloud() {
-            let [lowest, highest] = cloud.natural_frequencies().map(|rate| rate / std::f64::consts::TAU);
-            let count = cloud.masses().len();
-            let reason = format!(
-                "springs join {count} particles, which vibrate at {lowest:.3e} to {highest:.3e} Hz: Taylor series of each one's \
-                 equation of motion"
-            );
-            return by_steps(Stepper::Taylor, problem, accuracy, &reason);
+            return by_steps(Stepper::Taylor, problem, accuracy, &of_particles(cloud));
         }
         let reason = if problem.is_general() {
             "a load has no recurrence of its own: general Taylor series, by automatic differentiation of all that acts"
@@ -129,6 +123,17 @@ fn automatic(problem: &Problem, accuracy: &Accuracy) -> Result<(Path, String), R
             Err(Key::root("tolerance_rad").refuse(rule))
         }
     }
+}
+
+/// Why a cloud takes Taylor series.
+fn of_particles(cloud: &SpringCloud) -> String {
+    let hertz = |rate: f64| rate / std::f64::consts::TAU;
+    let words = |hz: f64| if (0.01..1e5).contains(&hz) { format!("{hz:.2}") } else { format!("{hz:.2e}") };
+    let [lowest, highest] = cloud.natural_frequencies().map(hertz).map(words);
+    let count = cloud.masses().len();
+    format!(
+        "springs join {count} particles, which vibrate at {lowest} to {highest} Hz: Taylor series of each one's equation of motion"
+    )
 }
 
 fn kept(problem: &Problem, grid: &Grid, promise: f64, steppers: &[Stepper]) -> Result<Kept, Refusal> {

@@ -9,7 +9,7 @@ use super::palette;
 use super::stream::{Rows, Store, Stream};
 use crate::recording::RecordingError;
 use crate::recording::picture::Picture;
-use crate::scenario::Plan;
+use crate::scenario::{Plan, Watched};
 use crate::telemetry::{Channel, PointKind, Samples};
 
 /// Radius of a particle, in units of the largest body's extent: larger than that of the place where a rigid body has it.
@@ -41,7 +41,7 @@ impl Particles {
     ) -> Result<Self, RecordingError> {
         let mut clouds = Vec::new();
         for (number, (body, drawing)) in plan.bodies.iter().zip(&picture.bodies).enumerate() {
-            let is_of_body = |watched: &crate::scenario::Watched<'_>| {
+            let is_of_body = |watched: &Watched<'_>| {
                 watched.body.name == body.name
                     && watched.point.is_some_and(|point| matches!(point.kind, PointKind::Particle(_)))
             };

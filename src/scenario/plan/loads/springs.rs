@@ -31,7 +31,7 @@ pub fn plan(key: &Key, spec: &BodySpec, properties: &MassProperties, initial: &S
         (spec.torque != TorqueSpecs::default(), "torque", "which particle would it turn?"),
         (spec.force != ForceSpecs::default(), "force", "nothing but uniform gravity acts on particles on springs"),
     ];
-    for (_, field, rule) in contradictions.into_iter().filter(|(given, ..)| *given) {
+    if let Some((_, field, rule)) = contradictions.into_iter().find(|(given, ..)| *given) {
         return Err(key.field(field).refuse(format_args!("contradicts springs: {rule}")));
     }
     let source = key.field("particle");
