@@ -49,7 +49,8 @@ pub enum Torque {
         /// c, N m s, not negative.
         coefficient: f64,
     },
-    /// τ = −c L: every component of the angular momentum dies away alike, and its direction in the world stays.
+    /// τ = −c I ω: where nothing else acts, every component of the angular momentum dies away alike, and its direction in
+    /// the world stays.
     MomentumBrake {
         /// c, 1/s, not negative.
         rate: f64,

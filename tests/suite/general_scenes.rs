@@ -1,5 +1,6 @@
 //! Scenes with loads that go by a tape of operations: what they tell, and what is refused of them.
 
+use polhode::propagation::{Propagator, States, Taylor};
 use polhode::scenario::{Plan, PlannedBody, Scenario, ScenarioError};
 use polhode::telemetry::Channel;
 
@@ -47,4 +48,17 @@ fn a_limit_holds_against_what_overflows() {
         samples.channel(Channel::AngularVelocity).expect("watched")[0][0]
     };
     assert!((spin("min(exp(1000+t), 0.2)") - spin("0.2")).abs() < 4e-16);
+}
+
+/// What cannot go on past a time does not tell of a later step's remains before it either.
+#[test]
+fn an_error_stays_one() {
+    let problem = by_formula("ln(12-t)").expect("a plan").problem;
+    let mut taylor = Taylor::new(&problem, 1e-16).expect("covered");
+    let mut states = States::default();
+    taylor.fill(&[11.0], &mut states).expect("before the pole");
+    let first = taylor.fill(&[13.0], &mut states).expect_err("beyond it");
+    for time in [11.5, 12.5, 13.0] {
+        assert_eq!(taylor.fill(&[time], &mut states).expect_err("an error"), first, "at {time} s");
+    }
 }

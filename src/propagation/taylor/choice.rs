@@ -13,7 +13,11 @@ use crate::propagation::{Effort, PropagationError, Propagator, States};
 /// by recurrences laid out by hand. Of a body that is a [`SpringCloud`](crate::dynamics::SpringCloud) every particle is
 /// followed: the attitude is that of the best fit, and ω is its rate.
 #[derive(Debug, Clone)]
-pub struct Taylor(Way);
+pub struct Taylor {
+    way: Way,
+    /// Why it cannot go on: what is left of the step that failed tells nothing.
+    failure: Option<PropagationError>,
+}
 
 #[derive(Debug, Clone)]
 enum Way {
@@ -42,13 +46,13 @@ impl Taylor {
         } else {
             Bilinear::new(problem, tolerance).map(|way| Way::ByHand(Box::new(way)))
         };
-        way.map(Self).map_err(|error| not_covered(error.rule()))
+        way.map(|way| Self { way, failure: None }).map_err(|error| not_covered(error.rule()))
     }
 
     /// The order of its series.
     #[must_use]
     pub fn order(&self) -> usize {
-        match &self.0 {
+        match &self.way {
             Way::ByHand(way) => way.order(),
             Way::ByTape(way) => way.order(),
             Way::OfParticles(way) => way.order(),
@@ -60,25 +64,40 @@ impl Taylor {
     /// # Errors
     /// If the state ceases to be finite or a step cannot be made small enough.
     pub fn reach(&mut self, time: f64, steps: u64) -> Result<f64, PropagationError> {
-        match &mut self.0 {
+        self.unless_failed(|way| match way {
             Way::ByHand(way) => way.reach(time, steps),
             Way::ByTape(way) => way.reach(time, steps),
             Way::OfParticles(way) => way.reach(time, steps),
+        })
+    }
+
+    /// An error stays one, whatever is asked next.
+    fn unless_failed<T>(
+        &mut self,
+        go_on: impl FnOnce(&mut Way) -> Result<T, PropagationError>,
+    ) -> Result<T, PropagationError> {
+        if let Some(failure) = &self.failure {
+            return Err(failure.clone());
         }
+        let result = go_on(&mut self.way);
+        // A time that goes back is the caller's mistake, and nothing is lost by it.
+        self.failure =
+            result.as_ref().err().filter(|error| !matches!(error, PropagationError::NotAscending { .. })).cloned();
+        result
     }
 }
 
 impl Propagator for Taylor {
     fn fill(&mut self, times: &[f64], states: &mut States) -> Result<(), PropagationError> {
-        match &mut self.0 {
+        self.unless_failed(|way| match way {
             Way::ByHand(way) => way.fill(times, states),
             Way::ByTape(way) => way.fill(times, states),
             Way::OfParticles(way) => way.fill(times, states),
-        }
+        })
     }
 
     fn effort(&self) -> Effort {
-        match &self.0 {
+        match &self.way {
             Way::ByHand(way) => way.effort(),
             Way::ByTape(way) => way.effort(),
             Way::OfParticles(way) => way.effort(),

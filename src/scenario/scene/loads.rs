@@ -46,7 +46,7 @@ pub struct TorqueSpecs {
     pub constant_world: Vec<MomentSpec>,
     /// τ = −c ω.
     pub linear_damping: Vec<DampingSpec>,
-    /// τ = −c L: L keeps its direction and dies away.
+    /// τ = −c I ω: where nothing else acts, L keeps its direction and dies away.
     pub momentum_brake: Vec<BrakeSpec>,
     /// τ = m × B: a magnet in a uniform field, which does not pull.
     pub magnetic_dipole: Vec<MagneticDipoleSpec>,
