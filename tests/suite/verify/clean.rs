@@ -67,23 +67,12 @@ fn rates_alone_are_held_to_the_laws() {
     assert_clean("rates alone", &verified(&observed, Some(&body)));
 }
 
-/// What springs join is no rigid body: it turns slower than the rigid body of the same L, whose ω is recorded.
-#[test]
-fn particles_on_springs_are_told_from_a_rigid_body() {
-    let plan = Plan::new(&Scenario::named("particle_cloud", &[]).expect("a scene")).expect("a plan");
-    let times = evenly(1000, 0.01);
-    for body in &plan.bodies {
-        let wanted = if body.problem.cloud().is_some() { Verdict::Wrong } else { Verdict::Clean };
-        assert_eq!(verified(&exact(body, &times), Some(body)).verdict, wanted, "{}", body.name);
-    }
-}
-
-/// As its own grid samples it, and at every seventh sample of that; but for particles on springs, which are not rigid.
+/// As its own grid samples it, and at every seventh sample of that.
 #[test]
 fn every_scene_is_clean() {
     for name in library::names() {
         let plan = Plan::new(&Scenario::named(name, &[]).expect("a scene")).expect("a plan");
-        for body in plan.bodies.iter().filter(|body| body.problem.cloud().is_none()) {
+        for body in &plan.bodies {
             for stride in [1, 7] {
                 let samples = (plan.grid.len() / stride).min(3000);
                 let times: Vec<f64> = (0..samples).map(|k| plan.grid.time(k * stride)).collect();
