@@ -62,7 +62,8 @@ fn line(body: &BodySpec) -> String {
 /// What is derived of a free body of three different moments.
 fn derived(body: &BodySpec) -> String {
     let of_others = [Channel::JacobiIntegral, Channel::KovalevskayaIntegral];
-    let is_told = |channel: &Channel| *channel >= Channel::EulerZxz && !of_others.contains(channel);
+    let derived = Channel::EulerZxz..=Channel::KovalevskayaIntegral;
+    let is_told = |channel: &Channel| derived.contains(channel) && !of_others.contains(channel);
     let channels: Vec<_> = Channel::ALL.into_iter().filter(is_told).collect();
     hash(body, &channels).line(&format!("scene, derived of {}", body.name))
 }
