@@ -29,7 +29,6 @@ scenes![
     "gyrostat_stability",
     "kovalevskaya_top",
     "lagrange_top",
-    "lagrange_top",
     "libration",
     "lro",
     "measured_thruster",
