@@ -12,8 +12,8 @@ use tempfile::TempDir;
 
 use crate::cli::{SCENE, folder_with, polhode, stderr, stdout};
 
-/// Fifty scenes and their goldens are to stay a small clone.
-const MOST_BYTES: u64 = 150_000;
+/// Fifty scenes and their goldens are to stay a small clone. A cloud with each of its particles is the largest.
+const MOST_BYTES: u64 = 210_000;
 const MOST_BYTES_IN_ALL: u64 = 6_000_000;
 
 fn repository() -> &'static Path {
