@@ -1,6 +1,6 @@
 //! What docs/reliability.md states as limits: at them a scene is planned, beyond them it is refused.
 
-use polhode::scenario::{BodySpec, Method, MomentSpec, Plan, Scenario, ScenarioError, TorqueSpecs, library};
+use polhode::scenario::{BodySpec, Method, MomentSpec, Plan, Scenario, ScenarioError, TorqueSpecs};
 
 fn body(name: String, moments: [f64; 3], rates: [f64; 3]) -> BodySpec {
     BodySpec {
@@ -132,9 +132,10 @@ fn the_largest_scene() {
 }
 
 /// Coils are on their limit at first, which takes few steps; then, in a field of 1 T, each step is far below a second.
+#[cfg(feature = "serde")]
 #[test]
 fn trials_of_plans_end_where_a_motion_grows_stiff() {
-    let text = library::text("detumbling").expect("a scene");
+    let text = polhode::scenario::library::text("detumbling").expect("a scene");
     let changes = ["body.1.torque.b_dot.0.field_t=[1, 0, 0]".to_owned()];
     let scenario = Scenario::parse(text, "detumbling", &changes).expect("a scene");
     // Refused or not is a matter of how far the trial comes; that it ends at all is what is held here.

@@ -2,7 +2,7 @@
 
 use polhode::dynamics::{Load, Problem, Window};
 use polhode::propagation::{Effort, PreciseTaylor, States, attitude_distance};
-use polhode::scenario::{Grid, Method, Path, Plan, PlannedBody, Scenario, library};
+use polhode::scenario::{Grid, Method, Path, PlannedBody};
 
 use crate::motions::{MOMENTS, RATES, every_torque, problem};
 use crate::planned;
@@ -130,8 +130,10 @@ fn a_run_too_long_to_be_tried_says_how_far_it_was() {
 }
 
 /// A brick that bounces on a cord and does not turn keeps any promise of its attitude; its way must come out as well.
+#[cfg(feature = "serde")]
 #[test]
 fn the_way_of_a_body_that_does_not_turn_is_kept_too() {
+    use polhode::scenario::{Plan, Scenario, library};
     let text = library::text("tether").expect("a scene");
     let scenario = Scenario::parse(text, "tether", &["tolerance_rad=1e-6".to_owned()]).expect("a scene");
     let plan = Plan::new(&scenario).expect("a plan");

@@ -6,7 +6,9 @@ use proptest::prelude::*;
 use super::case::Gap;
 use super::{Case, Kind, bodies, case};
 use crate::properties::cases;
-use crate::properties::starts::{attitude, decades, signed, vector};
+#[cfg(feature = "serde")]
+use crate::properties::starts::vector;
+use crate::properties::starts::{attitude, decades, signed};
 
 /// Roundings of each number that a turn of all of them may make, and of what is made of them.
 pub const TURNED: f64 = 8.0;
