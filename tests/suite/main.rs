@@ -95,6 +95,7 @@ mod scene_schema;
 mod stress;
 mod tapes;
 mod torque_laws;
+mod torque_steps;
 mod trajectories;
 #[cfg(feature = "serde")]
 mod verify;
