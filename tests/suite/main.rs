@@ -68,6 +68,8 @@ mod order;
 mod overrides;
 mod particle_cloud;
 mod particles;
+#[cfg(feature = "serde")]
+mod pivot_loads;
 mod planned;
 #[cfg(feature = "cli")]
 mod plots;
