@@ -1,7 +1,10 @@
 //! Parts of a motion, in memory: 4096 samples over 41 s.
 
+use std::sync::Arc;
+
 use nalgebra::{UnitQuaternion, Vector3};
-use polhode::dynamics::{Load, Problem, Torque, Window};
+use polhode::dynamics::formula::Expression;
+use polhode::dynamics::{FormulaLoad, FormulaPlace, General, GeneralLoad, Load, Problem, Torque, Window};
 use polhode::propagation::{FreeRotation, Propagator, States, Taylor};
 use polhode::telemetry::{BodySamples, Channel, Derivation};
 
@@ -25,6 +28,7 @@ pub fn pairs() -> Vec<Pair> {
         pair("steps: nothing acts", "Taylor, torque-free", taylor(body()), closed_form(body())),
         pair("torque code: nothing acts", "Taylor, force in the world", taylor(nudged(1.0)), taylor(body())),
         pair("torque code outside its window", "Taylor, a tenth inside", taylor(nudged(1.0)), taylor(nudged(0.1))),
+        pair("operations that a recurrence knows", "Taylor, a moment as formula", taylor(told()), taylor(pushed())),
         pair("turning back", "attitude and ω from principal axes", derive(turned, plain), derive(aligned, plain)),
         pair("four of six channels", "columns from states", derive(aligned, six), derive(aligned, plain)),
     ]
@@ -38,6 +42,24 @@ const SIX: [Channel; 6] = [
     Channel::EnergyDrift,
     Channel::MomentumDrift,
 ];
+
+/// The moment of [`pushed`] as a formula.
+fn told() -> Problem {
+    let mut problem = pushed();
+    for load in &mut problem.loads {
+        if let Torque::ConstantBody { moment } = load.torque {
+            let component = |value: f64| Expression::read(&format!("{value}")).expect("a number");
+            let formula = FormulaLoad {
+                components: <[f64; 3]>::from(moment).map(component),
+                in_world: false,
+                place: FormulaPlace::Moment,
+                body_from_principal: UnitQuaternion::identity(),
+            };
+            load.torque = Torque::General(Arc::new(GeneralLoad::new(General::Formula(formula))));
+        }
+    }
+    problem
+}
 
 /// A force too small to be felt, for a share of the run: the motion and its steps are those of the free body.
 fn nudged(share: f64) -> Problem {

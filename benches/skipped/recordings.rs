@@ -4,17 +4,16 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use polhode::recording::Recorder;
-use polhode::scenario::{Plan, Scenario};
+use polhode::scenario::{Plan, Scenario, ScenarioError};
 use polhode::telemetry::Channel;
 
 use super::{Pair, Work};
 
 pub fn pairs(folder: &Path) -> Vec<Pair> {
     let usual = plan(None);
-    // A T-handle has no axis of symmetry that could lean.
-    let has_meaning = |channel: &Channel| !matches!(channel, Channel::Tilt | Channel::PrecessionRate);
-    let every = Channel::ALL.into_iter().filter(has_meaning).map(|channel| channel.row().name);
-    let every: Vec<&str> = every.collect();
+    // A T-handle has no axis of symmetry that could lean, and no integral of tops or orbits.
+    let has_meaning = |name: &&str| planned(Some(&[*name])).is_ok();
+    let every: Vec<&str> = Channel::ALL.into_iter().map(|channel| channel.row().name).filter(has_meaning).collect();
     let rates = ["angular_velocity", "angular_momentum_body"];
     let with_attitude = ["attitude", "angular_velocity", "angular_momentum_body"];
     let constant = ["attitude", "angular_velocity", "rotational_energy"];
@@ -43,15 +42,35 @@ pub fn pairs(folder: &Path) -> Vec<Pair> {
             of(&constant, &both),
             of(&constant[..2], &both),
         ),
+        pair(
+            "two probes and two IMUs",
+            "a run of the box, in memory",
+            run(&imu(4), folder, &[]),
+            run(&imu(0), folder, &[]),
+        ),
     ]
 }
 
 /// The scene with some channels, or with its own.
 fn plan(channels: Option<&[&str]>) -> Rc<Plan> {
+    Rc::new(planned(channels).expect("it plans"))
+}
+
+fn planned(channels: Option<&[&str]>) -> Result<Plan, ScenarioError> {
     let mut assignments = vec!["duration_s=40.95".to_owned(), "sample_every_s=0.01".to_owned()];
     assignments.extend(channels.map(|channels| format!("channels={channels:?}")));
     let scene = Scenario::named("dzhanibekov", &assignments).expect("it comes with the program");
-    Rc::new(Plan::new(&scene).expect("it plans"))
+    Plan::new(&scene)
+}
+
+/// A box with four points beside it, or without.
+fn imu(points: usize) -> Rc<Plan> {
+    let scene = Scenario::named("imu_on_a_tumbling_box", &[]).expect("it comes with the program");
+    let mut plan = Plan::new(&scene).expect("it plans");
+    for body in &mut plan.bodies {
+        body.points.truncate(points);
+    }
+    Rc::new(plan)
 }
 
 /// A whole run, recorded in some formats or in none.

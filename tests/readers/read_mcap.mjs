@@ -102,7 +102,8 @@ async function check(name) {
     if (type.typeName !== "polhode.BodyState") continue;
     const { seconds, nanos } = decoded.timestamp;
     demand(seconds * 1000000000n + BigInt(nanos) === message.logTime, `${channel.topic}: stamp at ${message.logTime}`);
-    const body = channel.topic.split("/")[2];
+    // A body, or a point of one: body/point.
+    const body = channel.topic.replace(/^\/body\//, "").replace(/\/state$/, "");
     if (!bodies.has(body)) bodies.set(body, { type, states: [] });
     bodies.get(body).states.push(decoded);
   }

@@ -50,7 +50,9 @@ def read_states(path):
         for schema, channel, message, decoded in reader.iter_decoded_messages():
             seen += 1
             if schema.name == "polhode.BodyState":
-                states[channel.topic.split("/")[2]].append((message.log_time, decoded))
+                # A body, or a point of one: body/point.
+                subject = channel.topic.removeprefix("/body/").removesuffix("/state")
+                states[subject].append((message.log_time, decoded))
     return states, seen
 
 

@@ -49,9 +49,10 @@ def check(recording, csv):
     entities = defaultdict(dict)
     for entity in batches:
         if entity.startswith("/body/"):
-            _, _, body, kind, channel = entity.split("/")
+            # A body, or a point of one: body/point.
+            *subject, kind, channel = entity.removeprefix("/body/").split("/")
             if kind == "plots":
-                entities[body][channel] = entity
+                entities["/".join(subject)][channel] = entity
     times_s = exact_times(batches, len(table.times_s))
     if list(map(bits, times_s)) != list(map(bits, table.times_s)):
         raise Differs("times differ from the table's")
