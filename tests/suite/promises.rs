@@ -142,3 +142,23 @@ fn the_way_of_a_body_that_does_not_turn_is_kept_too() {
     let due = -0.5405 - 0.2595 * (20.0_f64.sqrt() * 6.0).cos();
     assert!((states.position[2][0] - due).abs() < 1e-5, "{} m, due {due} m", states.position[2][0]);
 }
+
+/// Near what f64 can promise of a fall that magnifies roundings, a promise is refused, or it is kept.
+#[cfg(feature = "serde")]
+#[test]
+fn what_a_tape_rounds_is_not_promised_away() {
+    use polhode::scenario::{Plan, Scenario, library};
+    let text = library::text("explorer_1").expect("a scene");
+    let mut kept = 0;
+    for promise in ["1e-11", "2e-11", "3e-11", "5e-11", "1e-10"] {
+        let scenario = Scenario::parse(text, "explorer_1", &[format!("tolerance_rad={promise}")]).expect("a scene");
+        let Ok(plan) = Plan::new(&scenario) else { continue };
+        let body = &plan.bodies[0];
+        let exact = exact(&body.problem, &grid(120.0));
+        let (error, _) = run(body, &grid(120.0), &exact);
+        let promise: f64 = promise.parse().expect("a number");
+        assert!(error <= promise, "{error:e} rad, promised {promise:e}");
+        kept += 1;
+    }
+    assert!(kept >= 1, "1e-10 is within reach");
+}
