@@ -199,6 +199,14 @@ principal_moments_kg_m2 = [1.0, 2.0, 3.0]
 angular_velocity_rad_s = [0.1, 2.0, 0.1]
 "#;
 
+/// Four bodies and twelve particles: below each other they would be higher than a picture may be.
+#[test]
+fn particles_beside_bodies_have_room_on_a_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    ok(folder.path(), &["plot", "particle_cloud", "-o", "cloud.png"]);
+    assert!(folder.path().join("cloud.png").is_file());
+}
+
 /// Tags of a page, attributes included.
 fn tags(page: &str) -> Vec<&str> {
     page.split('<').skip(1).filter_map(|rest| rest.split('>').next()).collect()

@@ -52,6 +52,8 @@ pub struct Motion {
     to_s: f64,
 }
 
+/// Bodies below each other at most: more are side by side, as a picture has no room for sheets of any height.
+const MOST_BELOW: usize = 8;
 /// Of a chart on a sheet, pixels.
 const CHART: (f64, f64) = (600.0, 250.0);
 
@@ -124,6 +126,6 @@ impl Motion {
             return grid(title, words, self.panels(CHART).into_iter().flat_map(|(_, panels)| panels).collect(), 2);
         }
         let blocks = self.panels(CHART).into_iter().map(|(name, panels)| grid(name, &[], panels, 2));
-        grid(title, words, blocks.collect(), 1)
+        grid(title, words, blocks.collect(), self.bodies.len().div_ceil(MOST_BELOW))
     }
 }
